@@ -16,10 +16,10 @@ def run_turning(path: Path, out: Path) -> bool:
     """Make and prove the programs of a lathe's job file; return whether one is refused."""
     from CNCStepper.job.make_certificate import certificate_of
     from CNCStepper.job.turning.make_turning import make_turning
-    from CNCStepper.job.turning.prove_turning import prove_turning
+    from CNCStepper.job.turning.prove_turning import prove_turning, whole_report
     from CNCStepper.job.turning.turning_job import load_turning_job
 
-    refused = False
+    proofs = []
     with Progress(f"making the programs of {path.name}"):
         job, machine = load_turning_job(path)
         programs = make_turning(job, machine, f"{MADE_BY}: {path.stem}")
@@ -28,13 +28,18 @@ def run_turning(path: Path, out: Path) -> bool:
     for proven in prove_turning(job, machine, programs, out):
         proof, file = proven.proof, out / proven.program.file_name
         suffix = file.stem.removeprefix("program")
-        report, picture = out / f"report{suffix}.json", out / f"part{suffix}.png"
-        write_report(report, proof.report)
+        told, picture = out / f"report{suffix}.json", out / f"part{suffix}.png"
+        write_report(told, proof.report)
         certificate_of(proof).write(out / f"certificate{suffix}.zip")
         proven.verdict.draw(picture, path.stem, f"{proof.report['time_s'] / 60:.1f} min")
         show_findings(proof.findings)
         show_figures(proof.report)
         blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
-        click.echo(f"{file}: {blocks} blocks that move, {minutes:.1f} min; {report}; {picture}")
-        refused |= proof.refused
-    return refused
+        click.echo(f"{file}: {blocks} blocks that move, {minutes:.1f} min; {told}; {picture}")
+        proofs.append(proven)
+    if len(proofs) > 1:
+        report = whole_report(proofs)
+        write_report(out / "report.json", report)
+        proofs[-1].verdict.draw(out / "part.png", path.stem, f"{report['time_s'] / 60:.1f} min")
+        click.echo(f"the finished part: {out / 'report.json'}; {out / 'part.png'}")
+    return any(proven.proof.refused for proven in proofs)

@@ -203,6 +203,7 @@ class JobRun:
             self._path_retract.begin(self.driver, found)
             self._feeder.power = power_of(self.job, self.driver, found.modes)
             self._path = PathWatch(self.job, self.driver, found, self._tell, self._gaps)
+            self._made = MadeLines()  # behind the greeting of a controller that was just opened
         except Stopped:
             known = not self._trouble and (not self.job.home_first or found is not None)
             return self._outcome(STOPPED, "stopped before the first line was sent", known)
@@ -304,7 +305,7 @@ class JobRun:
         assert self._path
         rests = self._idle_reports >= IDLE_REPORTS or self._phases.name in (Phase.PAUSED, Phase.RETREATED)
         acknowledged, elapsed_s = self._feeder.acknowledged, self._clock() - self._begin_s
-        self._done = acknowledged if rests else max(self._done, self._path.done(acknowledged))
+        self._done = acknowledged if rests else max(self._done, self._path.done(acknowledged), self._made.lines)
         line, total = self.job.known_line(self._done), self._feeder.total
         self._remaining.take(self._phases.name, elapsed_s, line, self._done, total)
 

@@ -58,8 +58,19 @@ class Answers:
             raise refused(NOT_KNOWN)
         return lists[line]()
 
-    def status(self, state: str, place_mm: Sequence[float], speed_mm_min: float, free_bytes: int, left_s: float) -> str:
-        """Return the answer to `?`; left_s: how long the lathe still works on what it has."""
+    def status(
+        self,
+        state: str,
+        place_mm: Sequence[float],
+        speed_mm_min: float,
+        free_bytes: int,
+        left_s: float,
+        queued_lines: int | None,
+    ) -> str:
+        """Return the answer to `?`.
+
+        left_s: how long the lathe still works on what it has. queued_lines: answered and not done, None: not known.
+        """
         fields = [
             state,
             f"MPos:{coordinates(place_mm, self._settings)}",
@@ -67,6 +78,7 @@ class Answers:
             f"FS:{rate(speed_mm_min, self._settings)},0",
             f"WCO:{coordinates(self.zero_mm, self._settings)}",
             *([f"Left:{fixed(left_s, 1)}"] if left_s > 0 else []),
+            *([] if queued_lines is None else [f"Queue:{queued_lines}"]),
         ]
         return f"<{'|'.join(fields)}>"
 

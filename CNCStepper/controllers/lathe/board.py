@@ -142,7 +142,8 @@ class LatheBoard:
     def _report(self) -> None:
         speed_mm_s = self.manual.speed_mm_s(self.time_s) + self.program.speed_mm_s(self.time_s, self._per_mm)
         left_s = self.program.left_s(self.time_s)
-        self._send(self._answers.status(self.state, self.places_mm, speed_mm_s * 60.0, self._ring.free, left_s))
+        queued = None if self._lost else self.program.queued_lines
+        self._send(self._answers.status(self.state, self.places_mm, speed_mm_s * 60.0, self._ring.free, left_s, queued))
 
     def _cancel_jogs(self) -> None:
         """End the jog under way; jogs that came behind it are answered, and not made."""

@@ -57,9 +57,14 @@ class Program:
     # -- lines ---------------------------------------------------------------------------------------
 
     @property
+    def queued_lines(self) -> int:
+        """How many lines are not done, as the lathe is reckoned."""
+        return sum(ends for _, ends in self._waiting) + sum(sent.ends_line for sent in self._sent)
+
+    @property
     def has_room(self) -> bool:
         """Whether one more line may wait."""
-        return sum(ends for _, ends in self._waiting) + sum(sent.ends_line for sent in self._sent) < MOST_LINES
+        return self.queued_lines < MOST_LINES
 
     def add(self, records: Sequence[Record]) -> None:
         """Let the records of a line wait."""

@@ -37,7 +37,7 @@ def prove_turning(
 ) -> Iterator[TurnedProof]:
     """Yield the proof of each program of a job, in their order; `folder` is where their files are."""
     before: list[Toolpath] = []
-    done = 0
+    done = rows = 0
     for program in programs:
         file = str(folder / program.file_name)
         start = Start(tool=program.answers[0].tool) if "T" not in dialect(machine.language()).letters else None
@@ -47,13 +47,35 @@ def prove_turning(
         so_far = job.model_copy(update={"operation": job.operation[:done]})
         verdict = judge_turning(moves_of(reduce(followed, before)), setup_of(so_far, file), job.x_is)
         found = [*verdict.findings, *_of_answers(program, file)]
-        told = replace(proof, report={**proof.report, **verdict.report(), "operations": _operations(proof, program)})
+        operations = _operations(proof, program, verdict, rows)
+        told = replace(proof, report={**proof.report, **verdict.report(rows), "operations": operations})
+        rows += len(proof.toolpath)
         yield TurnedProof(program, with_findings(told, found), verdict)
 
 
-def _operations(proof: Proof, program: TurnedProgram) -> list[dict[str, Any]]:
-    answers = zip(proof.report["operations"], program.answers, strict=False)
-    return [operation | {"figures": answer.figures} for operation, answer in answers]
+def whole_report(proofs: Sequence[TurnedProof]) -> dict[str, Any]:
+    """Return the report of the finished part where several programs make it, one after the other.
+
+    It has what each program's report says of the part, all operations, and the sums of times, lengths and findings.
+    """
+    reports = [one.proof.report for one in proofs]
+    summed = ("time_s", "cut_length_mm", "air_length_mm", "rapid_length_mm", "errors", "warnings")
+    return {
+        "programs": [report["program"] for report in reports],
+        **proofs[-1].verdict.report(),
+        **{key: sum(report[key] for report in reports) for key in summed},
+        "operations": [operation for report in reports for operation in report["operations"]],
+    }
+
+
+def _operations(proof: Proof, program: TurnedProgram, verdict: TurnedVerdict, rows: int) -> list[dict[str, Any]]:
+    """Return the report's operations with the cycles' figures; rows: of the programs before this one."""
+    spans = [span for span in proof.toolpath.spans if span.kind == "operation"]
+    found = zip(proof.report["operations"], spans, program.answers, strict=False)
+    return [
+        operation | verdict.lengths(rows + span.first, rows + span.last) | {"figures": answer.figures}
+        for operation, span, answer in found
+    ]
 
 
 def _of_answers(program: TurnedProgram, file: str) -> Iterator[Finding]:

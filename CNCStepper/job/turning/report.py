@@ -52,14 +52,17 @@ class TurnedVerdict:
         """Whether a finding forbids sending the program."""
         return refused(self.findings)
 
-    def report(self) -> dict[str, Any]:
-        """Return the keys of report.json about the part; "profile" holds points [z_mm, diameter_mm], z growing."""
+    def report(self, first: int = 0) -> dict[str, Any]:
+        """Return the keys of report.json about the part; "profile" holds points [z_mm, diameter_mm], z growing.
+
+        first: the first row of the program, behind those of the programs before it.
+        """
         section, stock = self.part.section, self.part.stock
         worst = gouge(section, stock, self.setup.wanted) if self.setup.wanted else None
         left_mm = [one.value for one in self.findings if one.code == "left-over" and one.value is not None]
         return {
             "x_is": self.x_is,
-            **self._lengths(),
+            **self.lengths(first),
             "gouge_mm": _number(worst.depth_mm if worst else 0.0) if self.setup.wanted else None,
             "left_over_mm": _number(max(left_mm, default=0.0)) if self.setup.wanted else None,
             "profile": _points(section.outer_profile),
@@ -70,13 +73,14 @@ class TurnedVerdict:
             "pieces": [self._piece(one.section, one.move) for one in self.part.fallen],
         }
 
-    def _lengths(self) -> dict[str, float]:
-        """Return how far the feeds go in material and in air."""
+    def lengths(self, first: int, last: int | None = None) -> dict[str, float]:
+        """Return how far the feeds go in material and in air, in the rows [first, last); None: to the end."""
         moves = self.part.moves
+        mine = (moves.row >= first) & (moves.row < (np.inf if last is None else last))
         length_mm = np.hypot(*(moves.end - moves.begin).T)
         cuts = (self.part.depths_mm > CONTACT_MM) | (moves.pitch_mm > 0)
         feeds = {"cut_length_mm": ~moves.rapid & cuts, "air_length_mm": ~moves.rapid & ~cuts}
-        return {name: _number(length_mm[mine].sum()) for name, mine in feeds.items()}
+        return {name: _number(length_mm[mine & those].sum()) for name, those in feeds.items()}
 
     def dimension_at(self, z_mm: float) -> tuple[float, float]:
         """Return outer diameter and bore of the part as cut at a z, mm; 0 for none."""

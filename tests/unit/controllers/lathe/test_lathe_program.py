@@ -79,7 +79,9 @@ def test_places_on_the_way_follow_the_lathe() -> None:
     status = bench.status()
     assert status["state"] == "Run" and float(status["Left"]) == pytest.approx(1.0, abs=0.1)
     assert status["FS"].startswith("67,")  # the longer axis has the feed of 60
+    assert status["Queue"] == "1"  # the line is answered, and under way
     bench.wait(1.5)
+    assert bench.status()["Queue"] == "0"
     assert bench.status()["state"] == "Idle" and bench.board.places_mm == (-2.0, 0.0, -1.0)
 
 

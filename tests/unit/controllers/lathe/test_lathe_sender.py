@@ -29,6 +29,19 @@ def test_a_job_is_cut_to_its_end_on_its_path() -> None:
     assert any("automatic mode" in text for text in told)
 
 
+def test_the_progress_of_a_job_is_that_of_the_lathe_and_not_of_the_link() -> None:
+    seen: list[tuple[float, int, float]] = []
+
+    def look(time_s: float, sender: Sender) -> None:
+        status = sender.status()
+        seen.append((time_s, status.acknowledged, status.done))
+
+    _, outcome = sent("G01 Z-5. F1. #\n" + "Z5. #\nZ-5. #\n" * 4, [], look)
+    assert outcome.kind == DONE
+    halfway = [done for _, acknowledged, done in seen if acknowledged == 9]
+    assert min(halfway) <= 1 / 9 + 1e-9 and len({round(done * 9) for done in halfway}) > 5
+
+
 def test_a_stop_sends_nothing_more_and_says_that_the_lathe_runs_on() -> None:
     told: list[str] = []
     stopped: list[float] = []

@@ -13,7 +13,7 @@ import pytest
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.turning.make_turning import in_part, make_turning, placement_of
-from CNCStepper.job.turning.prove_turning import prove_turning
+from CNCStepper.job.turning.prove_turning import prove_turning, whole_report
 from CNCStepper.job.turning.turning_job import TurningJob, load_turning_job
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.virtual.lathe.records import Reader
@@ -53,6 +53,13 @@ def test_the_examples_are_proven_and_the_part_has_its_dimensions(name, tmp_path)
     }[name]
     for z, diameter in wanted:
         assert verdict.dimension_at(z)[0] == pytest.approx(diameter, abs=0.01)
+    for one in proven:
+        own = one.proof.report
+        for key in ("cut_length_mm", "air_length_mm"):
+            assert sum(each[key] for each in own["operations"]) == pytest.approx(own[key], abs=1.0)  # between them: air
+    whole = whole_report(proven)
+    assert whole["profile"] == report["profile"] and len(whole["operations"]) == len(job.operation)
+    assert whole["cut_length_mm"] == pytest.approx(sum(one.proof.report["cut_length_mm"] for one in proven))
 
 
 @pytest.mark.parametrize("distance", ["absolute", "incremental"])
