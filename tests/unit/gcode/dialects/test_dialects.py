@@ -323,7 +323,7 @@ def test_subroutines_and_expressions_are_written_out():
 
 def test_a_thread_is_refused_where_the_spindle_cannot_drive_it():
     text = "G21 G90 G18 G7\nM3 S500\nG0 X10 Z5\nG33 Z-10 K1.5\nM2"
-    with pytest.raises(ProgramError, match=r"grbl 1\.1 programs are written without 'synchronised'"):
+    with pytest.raises(ProgramError, match=r"grbl 1\.1 programs are written without 'G33'.*whose controller has G33"):
         convert(text, "linuxcnc", "grbl", ZERO)
 
 
