@@ -6055,6 +6055,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>PVC, rigid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pairs of letters stand as near as the font says</source>
             <translation type="unfinished"></translation>
         </message>

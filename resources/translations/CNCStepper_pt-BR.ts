@@ -6055,6 +6055,10 @@
             <translation>PVC expandido</translation>
         </message>
         <message>
+            <source>PVC, rigid</source>
+            <translation>PVC rígido</translation>
+        </message>
+        <message>
             <source>Pairs of letters stand as near as the font says</source>
             <translation>Pares de letras ficam tão próximos quanto a fonte diz</translation>
         </message>

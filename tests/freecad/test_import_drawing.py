@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import os
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -198,3 +199,10 @@ def test_points_and_solids_come_in(document: Any, tmp_path: Path) -> None:
     solid = api.import_drawing(document, tmp_path / "t.stl")
     assert solid.Kind == "solid"
     assert solid.Group[0].Shape.Length == pytest.approx(40)
+
+
+def test_a_step_file_is_read_by_this_freecad(document: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CNCSTEPPER_CADQUERY", "none")
+    shutil.copy(ROOT / "examples" / "drawings" / "bracket.step", tmp_path / "peça nº 2.step")
+    drawing = api.import_drawing(document, tmp_path / "peça nº 2.step")
+    assert problem_of(drawing) == "" and all(each.Closed for each in drawing.Group) and len(drawing.Group) > 1

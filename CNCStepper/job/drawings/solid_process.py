@@ -61,7 +61,8 @@ class Engine:
         """Return the words that start it and its variables; question: file, height, tolerance."""
         variables = {**environment(), "PYTHONDONTWRITEBYTECODE": "1", "QT_QPA_PLATFORM": "offscreen"}
         if self.is_freecad:
-            return [self.program, str(WITH_FREECAD)], {**os.environ, **_own(variables), QUESTION: json.dumps(question)}
+            words = [self.program, str(WITH_FREECAD), "-P", str(FOLDER.parent)]  # FreeCAD 1 does not read PYTHONPATH
+            return words, {**os.environ, **_own(variables), QUESTION: json.dumps(question)}
         return [self.program, "-P", "-B", "-X", "utf8", str(WITH_OCP), *question], variables
 
 

@@ -77,6 +77,7 @@ WORDS = {
     "polycarbonate": later("polycarbonate"),
     "pom": later("POM (acetal)"),
     "hdpe": later("HDPE plastic"),
+    "pvc": later("PVC, rigid"),
     "pvc-foam": later("PVC foam board"),
     "xps": later("XPS foam"),
     "fr4": later("FR4 (glass fibre)"),
