@@ -253,6 +253,12 @@ class BlockEmitter:
         self.at = list(at)
         self._stale = set() if is_known else {axis for axis in self._own_axes if at[axis] is not None}
 
+    def without_y(self) -> None:
+        """Write no Y from here on, as the machine has none: it stays at 0."""
+        self._own_axes = [axis for axis in self._own_axes if axis != 1]
+        self._stale.discard(1)
+        self.at[1] = 0
+
     def move(self, kind: int, end: Counts, feed_mm_min: float = 0.0, nowhere: bool = False) -> None:
         """Write a straight move; where it leads nowhere only if `nowhere`."""
         changes = self._distance_word(kind) if nowhere or self._axes(end) else ""

@@ -32,8 +32,9 @@ def turned_words(words: Sequence[str], dialect: Dialect, options: WriteOptions) 
 
 
 def begin_turning(page: BlockEmitter, options: WriteOptions) -> None:
-    """Bring the mode of X into force behind the header; raises ProgramError for diameters that a dialect lacks."""
+    """Leave out Y and bring the mode of X into force; raises ProgramError for diameters that a dialect lacks."""
     dialect = page.dialect
+    page.without_y()
     if "G18" in dialect.codes:
         page.begin_in(ZX)
     word = {"diameter": "G7", "radius": "G8"}[options.x_is or "radius"]

@@ -11,12 +11,14 @@ import numpy as np
 import pytest
 
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.turning.make_turning import in_part, make_turning, placement_of
 from CNCStepper.job.turning.prove_turning import prove_turning, whole_report
 from CNCStepper.job.turning.turning_job import TurningJob, load_turning_job
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.virtual.lathe.records import Reader
+from helpers.gcode.rs274_runs import rs274_calls, same_call
 
 ROOT = Path(__file__).parents[4]
 GOLDEN = Path(__file__).parent / "golden"
@@ -115,6 +117,17 @@ def test_other_controllers_get_the_same_part(controller, x_is):
     assert on_first[:, 1].min() == pytest.approx(mine[:, 1].min(), abs=1e-3)
     gaps = [np.hypot(*(mine - end).T).min() for end in on_first]
     assert max(gaps) < 2e-3  # arcs there end where chords end here
+
+
+@pytest.mark.parametrize("name", [*EXAMPLES, "lathe-thread"])
+def test_linuxcnc_drives_the_moves_of_the_program(name, tmp_path):
+    job, machine = example(name, distance="absolute")
+    text = make_turning(job, other(machine, "linuxcnc"))[0].program
+    assert "Y" not in re.sub(r"\([^)]*\)", "", text)  # a lathe has no such axis
+    theirs, is_taken = rs274_calls(text, tmp_path)
+    ours = list(canonical_calls(text))
+    assert is_taken and len(ours) == len(theirs) > 50
+    assert [pair for pair in zip(ours, theirs, strict=True) if not same_call(*pair)] == []
 
 
 def half(row):
