@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 def is_turning_file(path: Path) -> bool:
     """Return whether a job file is a lathe's; one that is no TOML file is not, and is refused where it is read."""
     from CNCStepper.errors import JobError
-    from CNCStepper.job.turning.turning_job import is_turning
     from CNCStepper.machine.files.toml_reader import read_toml
+    from CNCStepper.machine.processes import is_turning
 
     if path.suffix.lower() == ".json":
         return False

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.tools.tool_shapes import Shape
@@ -81,6 +81,11 @@ PROCESSES: dict[str, Process] = {
 }
 MILLING = PROCESSES["milling"]
 TURNING = "turning"  # of a lathe's jobs, which have a model of their own: job/turning
+
+
+def is_turning(content: Any) -> bool:
+    """Return whether the content of a job file is a lathe's."""
+    return isinstance(content, dict) and content.get("process") == TURNING
 
 
 def process_named(name: str) -> Process:

@@ -38,7 +38,6 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.model import machine_path
 from CNCStepper.job.turning.profile_form import Pair, ProfileForm, Xis
 from CNCStepper.machine.files.toml_reader import read_toml
-from CNCStepper.machine.processes import TURNING
 from CNCStepper.machine.profile import Machine, load_machine, validated
 from CNCStepper.machine.tools.turning_tool import TurningTool
 from CNCStepper.quantities import MOST_ITEMS, Bounds, Length, LengthOr0, TipAngle, Width, WidthOr0
@@ -146,11 +145,6 @@ class TurningJob(_Checked):
     def curves(self) -> dict[str, Curve]:
         """The profiles by name, in (z, r)."""
         return {form.name: form.curve(self.x_is, self._folder) for form in self.profile}
-
-
-def is_turning(content: Any) -> bool:
-    """Return whether the content of a job file is a lathe's."""
-    return isinstance(content, dict) and content.get("process") == TURNING
 
 
 def load_turning_job(path: Path) -> tuple[TurningJob, Machine]:

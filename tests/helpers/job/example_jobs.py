@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from CNCStepper.job.turning.turning_job import is_turning
 from CNCStepper.machine.files.toml_reader import read_toml
+from CNCStepper.machine.processes import is_turning
 
 EXAMPLES = Path(__file__).parents[3] / "examples" / "jobs"
 _ALL = sorted(EXAMPLES.rglob("*.toml"))
