@@ -44,7 +44,7 @@ SETUP = {  # the names of properties on which the cut of an operation depends
 class LatheJob(ProgramJob):
     """The proxy of a lathe's job; its keys are those of a job file, tables before their keys ("stock_bore_mm")."""
 
-    Type = LATHE_JOB
+    Type = "CNCStepper_LatheJob"
     TOOL = TurningTool.Type
     JOB_TYPE = LATHE_JOB
     PROPERTIES = (
