@@ -33,14 +33,24 @@ class TurnedProof:
 
 
 def prove_turning(
-    job: TurningJob, machine: Machine, programs: Sequence[TurnedProgram], folder: Path
+    job: TurningJob,
+    machine: Machine,
+    programs: Sequence[TurnedProgram],
+    folder: Path,
+    begins: Start | None = None,
+    last_file: str = "",
 ) -> Iterator[TurnedProof]:
-    """Yield the proof of each program of a job, in their order; `folder` is where their files are."""
+    """Yield the proof of each program of a job, in their order; `folder` is where their files are.
+
+    begins: the start state of the machine, None where it is not known. last_file: the last one's, if it is elsewhere.
+    """
     before: list[Toolpath] = []
     done = rows = 0
     for program in programs:
-        file = str(folder / program.file_name)
-        start = Start(tool=program.answers[0].tool) if "T" not in dialect(machine.language()).letters else None
+        file = last_file if last_file and program is programs[-1] else str(folder / program.file_name)
+        start = begins
+        if "T" not in dialect(machine.language()).letters:
+            start = replace(begins or Start(), tool=program.answers[0].tool)
         proof = prove(program.program, machine, file=file, start=start)
         before.append(in_part(proof.toolpath, placement_of(job, machine)))
         done += len(program.answers)
