@@ -83,15 +83,15 @@ def _of_job(
     content: dict[str, Any], program: str, machine: Machine, name: str, start: Start | None
 ) -> tuple[Proof, TurnedVerdict, Toolpath]:
     """Return the same of a program of a job: behind those that come before it, and in place of its own text."""
-    from CNCStepper.job.turning.make_turning import in_part, make_turning, placement_of
+    from CNCStepper.job.turning.make_turning import make_turning
     from CNCStepper.job.turning.prove_turning import prove_turning
     from CNCStepper.job.turning.turning_job import turning_job_of
 
     job, number = turning_job_of(content["job"], Path(name)), content["part"]
     made = make_turning(job, machine, content["title"])[:number]
     programs = [*made[:-1], replace(made[-1], program=program)]
-    proven = list(prove_turning(job, machine, programs, Path(), start, last_file=name))[-1]
-    return proven.proof, proven.verdict, in_part(proven.proof.toolpath, placement_of(job, machine))
+    *_, proven = prove_turning(job, machine, programs, Path(), name, start)
+    return proven.proof, proven.verdict, proven.path
 
 
 def write_turned_answer(
