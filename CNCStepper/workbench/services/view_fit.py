@@ -9,3 +9,15 @@ def show_all() -> None:
     import FreeCADGui
 
     FreeCADGui.SendMsgToActiveView("ViewFit")
+
+
+def look_at_lathe() -> None:
+    """Look at the XZ plane, in which a lathe's tool moves: Z to the right, X upwards."""
+    import FreeCAD
+    import FreeCADGui
+
+    shown = FreeCADGui.activeDocument()
+    view = shown.activeView() if shown is not None else None
+    if hasattr(view, "setCameraOrientation"):
+        x, y, z = (FreeCAD.Vector(*axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+        view.setCameraOrientation(FreeCAD.Rotation(z, x, y, "XYZ"))

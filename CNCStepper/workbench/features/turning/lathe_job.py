@@ -18,7 +18,9 @@ from CNCStepper.workbench.features.base import (
     LATHE_JOB,
     TEXT,
     Property,
+    entry_of,
 )
+from CNCStepper.workbench.features.cycle_operation import in_tables
 from CNCStepper.workbench.features.program_job import (
     CONTENTS,
     MACHINE,
@@ -34,6 +36,9 @@ from CNCStepper.workbench.features.turning.turning_tool import TurningTool
 from CNCStepper.workbench.services.translation import later
 
 START, CHUCK, TAILSTOCK = later("Start"), later("Chuck"), later("Tailstock")
+TABLES = ("stock", "chuck", "tailstock")
+PLAIN = ("units", "machine", "process", "x_is", "distance", "canned", "material", "coolant", "work_offset",
+         "arc_tolerance_mm")  # fmt: skip
 TUBE = ("stock_form", ("tube",))
 OWN_START = ("start_by", ("given",))
 YES = ("tailstock_by", ("given",))
@@ -106,6 +111,16 @@ class LatheJob(ProgramJob):
         super().add_properties(obj)
         obj.setEditorMode("Process", HIDDEN)
         self.show_what_counts(obj)
+
+    def given(self, found: dict[str, Any]) -> dict[str, Any]:
+        """Return what a job file holds besides tools, profiles and operations, in its tables."""
+        counting = {key: value for key, value in found.items() if self.counts(entry_of(self, key), found)}
+        tables = in_tables({key: counting[key] for key in counting if key.startswith(TABLES)}, TABLES)
+        has_tailstock = tables["tailstock"].pop("by") == "given"
+        content: dict[str, Any] = {key: found[key] for key in PLAIN}
+        content |= tables | {"tailstock": tables["tailstock"] if has_tailstock else None}
+        own_start = found["start_by"] == "given"
+        return content | {"start": (found["start_x_mm"], found["start_z_mm"]) if own_start else None}
 
     def check(self, obj: Any) -> None:
         """Raise JobError for a machine that is no lathe, or a stock, chuck or start that cannot be."""
