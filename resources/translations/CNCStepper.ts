@@ -228,6 +228,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bar length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Before zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -581,6 +585,10 @@
         </message>
         <message>
             <source>Depth to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Designation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2552,6 +2560,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Start position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Starts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3148,6 +3160,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thread length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Threshold</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3711,6 +3727,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A profile needs two points or more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A profile's file…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4104,6 +4124,10 @@
         </message>
         <message>
             <source>Bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bar length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4636,6 +4660,10 @@
         </message>
         <message>
             <source>Depth to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Designation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5463,6 +5491,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Groove</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gusset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6199,6 +6231,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lathe job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lead-in</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6659,6 +6695,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>New lathe job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>New machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7019,6 +7059,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parting off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7232,6 +7276,10 @@
         </message>
         <message>
             <source>Profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Profile by points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7612,6 +7660,10 @@
         </message>
         <message>
             <source>Rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Roughing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8016,6 +8068,10 @@
         </message>
         <message>
             <source>Start angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start position</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8975,6 +9031,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thread length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Threshold</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9524,6 +9584,10 @@
         </message>
         <message>
             <source>X; Z of each point from the end face to the chuck; then chamfer, fillet, cw or ccw</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X; Z; chamfer 1 – one point a line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23908,6 +23972,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_NewLatheJob</name>
+        <message>
+            <source>Makes a job of a lathe with a bar in its chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New lathe job</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_OpenJob</name>
         <message>
             <source>Open job…</source>
@@ -24029,6 +24104,105 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_TurnBore</name>
+        <message>
+            <source>Roughs the selected half profile out of a hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnDrill</name>
+        <message>
+            <source>Drill on the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drills into the end face on the axis, with pecks</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnFace</name>
+        <message>
+            <source>Turn face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turns the raw end flat, down to Z = 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnFinish</name>
+        <message>
+            <source>Follows the selected half profile in one pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnGroove</name>
+        <message>
+            <source>Cuts a groove with parallel walls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn groove</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnPart</name>
+        <message>
+            <source>Cuts the part off the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part off</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnRough</name>
+        <message>
+            <source>Roughs the selected half profile out of the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn roughing</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnThread</name>
+        <message>
+            <source>Cuts a thread by its designation, outside or inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurningProfile</name>
+        <message>
+            <source>Makes a half profile from points, chamfers and arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Profile by points</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_WireCut</name>
         <message>
             <source>Cuts parts out of foam with a hot wire, in from the edge</source>
@@ -24036,6 +24210,13 @@
         </message>
         <message>
             <source>Wire cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>Workbench</name>
+        <message>
+            <source>Lathe</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

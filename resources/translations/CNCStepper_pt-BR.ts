@@ -228,6 +228,10 @@
             <translation>Haste</translation>
         </message>
         <message>
+            <source>Bar length</source>
+            <translation>Comprimento da barra</translation>
+        </message>
+        <message>
             <source>Before zero</source>
             <translation>Antes do zero</translation>
         </message>
@@ -582,6 +586,10 @@
         <message>
             <source>Depth to</source>
             <translation>Profundidade até</translation>
+        </message>
+        <message>
+            <source>Designation</source>
+            <translation>Designação</translation>
         </message>
         <message>
             <source>Dialect</source>
@@ -2552,6 +2560,10 @@
             <translation>Ângulo inicial</translation>
         </message>
         <message>
+            <source>Start position</source>
+            <translation>Posição inicial</translation>
+        </message>
+        <message>
             <source>Starts</source>
             <translation>Entradas</translation>
         </message>
@@ -3148,6 +3160,10 @@
             <translation>Rosquear</translation>
         </message>
         <message>
+            <source>Thread length</source>
+            <translation>Comprimento da rosca</translation>
+        </message>
+        <message>
             <source>Threshold</source>
             <translation>Limiar</translation>
         </message>
@@ -3711,6 +3727,10 @@
             <translation>Um polígono de lados iguais em torno do zero, um lado embaixo; o tamanho é entre faces.</translation>
         </message>
         <message>
+            <source>A profile needs two points or more</source>
+            <translation>Um perfil precisa de dois pontos ou mais</translation>
+        </message>
+        <message>
             <source>A profile's file…</source>
             <translation>Arquivo de perfil…</translation>
         </message>
@@ -4105,6 +4125,10 @@
         <message>
             <source>Bar</source>
             <translation>Haste</translation>
+        </message>
+        <message>
+            <source>Bar length</source>
+            <translation>Comprimento da barra</translation>
         </message>
         <message>
             <source>Base</source>
@@ -4637,6 +4661,10 @@
         <message>
             <source>Depth to</source>
             <translation>Profundidade até</translation>
+        </message>
+        <message>
+            <source>Designation</source>
+            <translation>Designação</translation>
         </message>
         <message>
             <source>Device</source>
@@ -5463,6 +5491,10 @@
             <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
         </message>
         <message>
+            <source>Groove</source>
+            <translation>Canal</translation>
+        </message>
+        <message>
             <source>Gusset</source>
             <translation>Esquadro de reforço</translation>
         </message>
@@ -6199,6 +6231,10 @@
             <translation>Depois</translation>
         </message>
         <message>
+            <source>Lathe job</source>
+            <translation>Trabalho de torno</translation>
+        </message>
+        <message>
             <source>Lead-in</source>
             <translation>Entrada</translation>
         </message>
@@ -6659,6 +6695,10 @@
             <translation>Novo trabalho</translation>
         </message>
         <message>
+            <source>New lathe job</source>
+            <translation>Novo trabalho de torno</translation>
+        </message>
+        <message>
             <source>New machine</source>
             <translation>Nova máquina</translation>
         </message>
@@ -7019,6 +7059,10 @@
             <translation>Paralelogramo</translation>
         </message>
         <message>
+            <source>Parting off</source>
+            <translation>Sangramento</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
         </message>
@@ -7233,6 +7277,10 @@
         <message>
             <source>Profile</source>
             <translation>Perfil</translation>
+        </message>
+        <message>
+            <source>Profile by points</source>
+            <translation>Perfil por pontos</translation>
         </message>
         <message>
             <source>Profiles (*.toml)</source>
@@ -7613,6 +7661,10 @@
         <message>
             <source>Rotation</source>
             <translation>Rotação</translation>
+        </message>
+        <message>
+            <source>Roughing</source>
+            <translation>Desbaste</translation>
         </message>
         <message>
             <source>Round shapes</source>
@@ -8017,6 +8069,10 @@
         <message>
             <source>Start angle</source>
             <translation>Ângulo inicial</translation>
+        </message>
+        <message>
+            <source>Start position</source>
+            <translation>Posição inicial</translation>
         </message>
         <message>
             <source>Start/stop wait</source>
@@ -8975,6 +9031,10 @@
             <translation>Rosquear</translation>
         </message>
         <message>
+            <source>Thread length</source>
+            <translation>Comprimento da rosca</translation>
+        </message>
+        <message>
             <source>Threshold</source>
             <translation>Limiar</translation>
         </message>
@@ -9525,6 +9585,10 @@
         <message>
             <source>X; Z of each point from the end face to the chuck; then chamfer, fillet, cw or ccw</source>
             <translation>X; Z de cada ponto, da face até a placa; depois chamfer, fillet, cw ou ccw</translation>
+        </message>
+        <message>
+            <source>X; Z; chamfer 1 – one point a line</source>
+            <translation>X; Z; chamfer 1 – um ponto por linha</translation>
         </message>
         <message>
             <source>XPS foam</source>
@@ -23908,6 +23972,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_NewLatheJob</name>
+        <message>
+            <source>Makes a job of a lathe with a bar in its chuck</source>
+            <translation>Faz um trabalho de torno com uma barra na placa</translation>
+        </message>
+        <message>
+            <source>New lathe job</source>
+            <translation>Novo trabalho de torno</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_OpenJob</name>
         <message>
             <source>Open job…</source>
@@ -24029,6 +24104,105 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_TurnBore</name>
+        <message>
+            <source>Roughs the selected half profile out of a hole</source>
+            <translation>Desbasta o meio perfil selecionado num furo</translation>
+        </message>
+        <message>
+            <source>Turn bore</source>
+            <translation>Mandrilar no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnDrill</name>
+        <message>
+            <source>Drill on the axis</source>
+            <translation>Furar no eixo</translation>
+        </message>
+        <message>
+            <source>Drills into the end face on the axis, with pecks</source>
+            <translation>Fura a face no eixo, com bicadas</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnFace</name>
+        <message>
+            <source>Turn face</source>
+            <translation>Facear no torno</translation>
+        </message>
+        <message>
+            <source>Turns the raw end flat, down to Z = 0</source>
+            <translation>Faceia a ponta bruta até Z = 0</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnFinish</name>
+        <message>
+            <source>Follows the selected half profile in one pass</source>
+            <translation>Segue o meio perfil selecionado num só passe</translation>
+        </message>
+        <message>
+            <source>Turn finishing</source>
+            <translation>Acabamento no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnGroove</name>
+        <message>
+            <source>Cuts a groove with parallel walls</source>
+            <translation>Corta um canal de paredes paralelas</translation>
+        </message>
+        <message>
+            <source>Turn groove</source>
+            <translation>Canal no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnPart</name>
+        <message>
+            <source>Cuts the part off the bar</source>
+            <translation>Corta a peça da barra</translation>
+        </message>
+        <message>
+            <source>Part off</source>
+            <translation>Sangrar</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnRough</name>
+        <message>
+            <source>Roughs the selected half profile out of the bar</source>
+            <translation>Desbasta o meio perfil selecionado na barra</translation>
+        </message>
+        <message>
+            <source>Turn roughing</source>
+            <translation>Desbaste no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnThread</name>
+        <message>
+            <source>Cuts a thread by its designation, outside or inside</source>
+            <translation>Corta uma rosca por sua designação, externa ou interna</translation>
+        </message>
+        <message>
+            <source>Turn thread</source>
+            <translation>Rosca no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurningProfile</name>
+        <message>
+            <source>Makes a half profile from points, chamfers and arcs</source>
+            <translation>Faz um meio perfil de pontos, chanfros e arcos</translation>
+        </message>
+        <message>
+            <source>Profile by points</source>
+            <translation>Perfil por pontos</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_WireCut</name>
         <message>
             <source>Cuts parts out of foam with a hot wire, in from the edge</source>
@@ -24037,6 +24211,13 @@
         <message>
             <source>Wire cut</source>
             <translation>Corte com fio</translation>
+        </message>
+    </context>
+    <context>
+        <name>Workbench</name>
+        <message>
+            <source>Lathe</source>
+            <translation>Torno</translation>
         </message>
     </context>
 </TS>

@@ -23,7 +23,7 @@ TOOLS: dict[str, dict[str, Any]] = {
     PARTING: {"width_mm": 3.0, "reach_mm": 30.0, "feed_mm_rev": 0.05},
     DRILL: {"diameter_mm": 10.0},
     BORING: {"insert": "CCMT 060204", "bar_mm": 8.0, "smallest_bore_mm": 10.0},
-    THREADING: {"insert": "16ER 1.5 ISO", "spindle_rpm": 90.0},
+    THREADING: {"insert": "", "tip_angle_deg": 60.0, "spindle_rpm": 90.0},
 }
 TO_LEAVE_MM = 0.3  # on a profile that is finished afterwards
 GROOVE_SHARE = 0.8  # of the bar's diameter: the floor of a groove

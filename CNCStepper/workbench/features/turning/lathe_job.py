@@ -35,7 +35,7 @@ from CNCStepper.workbench.features.program_job import (
 from CNCStepper.workbench.features.turning.turning_tool import TurningTool
 from CNCStepper.workbench.services.translation import later
 
-START, CHUCK, TAILSTOCK = later("Start"), later("Chuck"), later("Tailstock")
+START, CHUCK, TAILSTOCK = later("Start position"), later("Chuck"), later("Tailstock")
 TABLES = ("stock", "chuck", "tailstock")
 PLAIN = ("units", "machine", "process", "x_is", "distance", "canned", "material", "coolant", "work_offset",
          "arc_tolerance_mm")  # fmt: skip
@@ -79,7 +79,7 @@ class LatheJob(ProgramJob):
                  only=TUBE),
         Property("stock_face_mm", "FaceStock", DISTANCE, STOCK, later("Before zero"),
                  later("How far the raw end lies before the finished end face, where Z is 0"), 1.0),
-        Property("stock_length_mm", "Length", DISTANCE, STOCK, later("Length"),
+        Property("stock_length_mm", "Length", DISTANCE, STOCK, later("Bar length"),
                  later("From the chuck's face to the finished end face"), 100.0),
         Property("chuck_diameter_mm", "ChuckDiameter", DISTANCE, CHUCK, later("Diameter"),
                  later("The diameter of the chuck"), 100.0),
@@ -95,7 +95,7 @@ class LatheJob(ProgramJob):
                  later("Of its tip"), 60.0, only=YES),
         Property("tailstock_hole_mm", "CentreHole", DISTANCE, TAILSTOCK, later("Hole"),
                  later("The diameter of the centre hole; 0: not given"), 0.0, only=YES),
-        Property("start_by", "StartBy", ENUMERATION, START, later("Start"),
+        Property("start_by", "StartBy", ENUMERATION, START, later("Start position"),
                  later("Where the tool is when the program begins: clear of the raw end, or given"), "automatic",
                  choices=("automatic", "given")),
         Property("start_x_mm", "StartX", DISTANCE, START, later("Start X"),

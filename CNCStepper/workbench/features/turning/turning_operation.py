@@ -34,7 +34,7 @@ PROFILE_GROUP, IN_PROGRAM = later("Profile"), later("In the program")
 FOLLOWED = drawn(PROFILE_GROUP, later("The half profile that it turns: a sketch, edges, a solid or points"))
 THREADED = drawn(PROFILE_GROUP, later("The half profile whose diameter the thread has; without it the usual fit"))
 USED = (
-    Property("rpm", "SpindleUsed", FLOAT, IN_PROGRAM, later("Spindle"), later("The spindle's speed in the program"),
+    Property("used_rpm", "SpindleUsed", FLOAT, IN_PROGRAM, later("Spindle"), later("The spindle's speed in the program"),
              0.0, output=True),
     Property("used_feed_mm_rev", "FeedUsed", FLOAT, IN_PROGRAM, later("Feed per turn"),
              later("The feed of the program, in millimetres a turn"), 0.0, output=True),
@@ -89,7 +89,7 @@ class TurningOperation(CycleOperation):
         from CNCStepper.workbench.document.core_turning_job import cut_for_trial
 
         figures, self.warnings = cut_for_trial(jobs[0], obj)
-        show(obj, {"rpm": figures["rpm"], "used_feed_mm_rev": figures["feed_mm_rev"]})
+        show(obj, {"used_rpm": figures["rpm"], "used_feed_mm_rev": figures["feed_mm_rev"]})
 
     def _require_what_it_needs(self, obj: Any) -> None:
         if self.FOLLOWS and not drawings_of(obj) and not obj.DeletedDrawing:
