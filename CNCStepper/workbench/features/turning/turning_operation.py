@@ -34,8 +34,8 @@ PROFILE_GROUP, IN_PROGRAM = later("Profile"), later("In the program")
 FOLLOWED = drawn(PROFILE_GROUP, later("The half profile that it turns: a sketch, edges, a solid or points"))
 THREADED = drawn(PROFILE_GROUP, later("The half profile whose diameter the thread has; without it the usual fit"))
 USED = (
-    Property("used_rpm", "SpindleUsed", FLOAT, IN_PROGRAM, later("Spindle"), later("The spindle's speed in the program"),
-             0.0, output=True),
+    Property("used_rpm", "SpindleUsed", FLOAT, IN_PROGRAM, later("Spindle"),
+             later("The spindle's speed in the program"), 0.0, output=True),
     Property("used_feed_mm_rev", "FeedUsed", FLOAT, IN_PROGRAM, later("Feed per turn"),
              later("The feed of the program, in millimetres a turn"), 0.0, output=True),
 )  # fmt: skip
