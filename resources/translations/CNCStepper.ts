@@ -9710,6 +9710,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{drawing}' has more than one solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9742,7 +9746,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{label}' does not lie in a plane through the lathe's axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{label}' has a hollow that no tool can enter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{label}' is drawn where '{other}' is, and counts once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{label}' is no solid of revolution</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10914,6 +10930,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a face of '{label}' does not run round the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a face's normal passes the axis by {passed:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a fault of the program: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11243,6 +11267,14 @@
         </message>
         <message>
             <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile is made of edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile must be one chain of lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11938,6 +11970,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at {z:.4g} mm along the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at {z:.4g} mm along the axis, radius {r:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12414,6 +12454,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose one of them, or join them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose one of: {choices}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12467,6 +12511,10 @@
         </message>
         <message>
             <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it in the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12915,6 +12963,14 @@
         </message>
         <message>
             <source>draw it on the XY plane or on one parallel to it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw it on the XZ plane, with X as the radius and Z along the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw its half profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13827,6 +13883,10 @@
         </message>
         <message>
             <source>it has no boundary</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no face with an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15694,6 +15754,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pick edges only, or the whole object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pick it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16790,7 +16854,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take out the axis and the line at the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out the inner (</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out what is not turned (keyways, flats, cross holes), or draw its half profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18590,6 +18662,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the part has no bore that opens at its front end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18795,6 +18871,10 @@
         </message>
         <message>
             <source>the profile has no key {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile is closed: it has no end at the chuck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20242,6 +20322,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>turn it round, or take its outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>turn the program instead</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21402,6 +21486,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{away:.4g} mm beside it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{away_mm:.3f} mm away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22347,6 +22435,10 @@
         </message>
         <message>
             <source>{what}, not {value}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}, at X {x:.4g} Y {y:.4g} Z {z:.4g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
