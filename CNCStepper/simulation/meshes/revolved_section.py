@@ -133,11 +133,12 @@ def plate(region: BaseGeometry, top_mm: float, thickness_mm: float) -> Strips:
     outwards = np.stack(
         [_at_levels(edges.begin_normal, np.zeros(2)), _at_levels(edges.end_normal, np.zeros(2))], axis=2
     )
-    top = Strips(flat.astype(np.float32), np.tile(np.float32([0, 1, 0]), (len(flat), 1)), _threes(len(corners)))
+    top = Strips(flat.astype(np.float32), np.tile(UP, (len(flat), 1)), _threes(len(corners)))
     counts = np.full(len(begin), 4, np.int32)
     return together([top, Strips(sides.astype(np.float32), outwards.reshape(-1, 3).astype(np.float32), counts)])
 
 
+UP = np.array([0.0, 1.0, 0.0], np.float32)
 OFF_AXIS = np.array([0.0, 1e4])  # a tool's outline may lie across the axis: no edge of it is left out
 
 

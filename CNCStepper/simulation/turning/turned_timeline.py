@@ -142,8 +142,9 @@ def track_of(path: Toolpath, ends_s: np.ndarray, moves: Moves, first_row: int = 
     known = np.flatnonzero(after > first)
     begin, end, centre = track.begin.copy(), track.end.copy(), track.centre.copy()
     shift = moves.begin[first[known]] - begin[known][:, ALONG]
-    centre[np.ix_(known, ALONG)] += np.where(np.isfinite(shift), shift, 0.0)
-    begin[np.ix_(known, ALONG)] = moves.begin[first[known]]
-    end[np.ix_(known, ALONG)] = moves.end[after[known] - 1]
+    place = np.ix_(known, np.array(ALONG))
+    centre[place] += np.where(np.isfinite(shift), shift, 0.0)
+    begin[place] = moves.begin[first[known]]
+    end[place] = moves.end[after[known] - 1]
     begin[:, 1] = end[:, 1] = 0.0
     return replace(track, begin=begin, end=end, centre=centre)
