@@ -20270,6 +20270,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program of a lathe cannot be restarted in its middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program pauses while the spindle turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21611,6 +21615,10 @@
         </message>
         <message>
             <source>turn it round, or take its outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn the part from its beginning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -20270,6 +20270,10 @@
             <translation>o programa precisa de mais de uma ferramenta</translation>
         </message>
         <message>
+            <source>the program of a lathe cannot be restarted in its middle</source>
+            <translation>o programa de um torno não pode ser reiniciado no meio</translation>
+        </message>
+        <message>
             <source>the program pauses while the spindle turns</source>
             <translation>o programa espera com o spindle girando</translation>
         </message>
@@ -21612,6 +21616,10 @@
         <message>
             <source>turn it round, or take its outside</source>
             <translation>vire-a ou use o lado de fora</translation>
+        </message>
+        <message>
+            <source>turn the part from its beginning</source>
+            <translation>torneie a peça desde o começo</translation>
         </message>
         <message>
             <source>turn the program instead</source>
