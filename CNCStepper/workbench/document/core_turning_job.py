@@ -15,7 +15,7 @@ from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.document.machine_of_job import machine_of
 from CNCStepper.workbench.document.operation_order import active_operations
-from CNCStepper.workbench.document.profile_of_operation import Pair, profile_pair, rows_of
+from CNCStepper.workbench.document.profile_of_operation import profile_pair, rows_of, side_of
 from CNCStepper.workbench.features.base import values
 from CNCStepper.workbench.features.cycle_operation import tool_of
 from CNCStepper.workbench.features.program import is_of_a_file
@@ -57,24 +57,26 @@ def turning_job_of(obj: Any, operations: Sequence[Any] | None = None) -> Turning
 
 
 def _profiles(operations: Sequence[Any], x_is: str) -> dict[Any, tuple[str, list[Any]]]:
-    """Return names and rows of the profiles that operations follow, by drawing and edges; each counts once."""
+    """Return names and rows of the profiles that operations follow, by drawing, edges and side; each counts once."""
     found: dict[Any, tuple[str, list[Any]]] = {}
     names: set[str] = set()
-    for pair in filter(None, map(profile_pair, operations)):
-        if _key(pair) not in found:
+    for operation in operations:
+        pair, key = profile_pair(operation), _key(operation)
+        if pair is not None and key not in found:
             name = pair[0].Label if pair[0].Label not in names else f"{pair[0].Label} {len(names) + 1}"
             names.add(name)
-            found[_key(pair)] = (name, rows_of(pair, x_is))
+            found[key] = (name, rows_of(pair, x_is, key[2]))
     return found
 
 
 def _profile_name(operation: Any, profiles: dict[Any, tuple[str, list[Any]]]) -> str:
+    key = _key(operation)
+    return profiles[key][0] if key in profiles else ""
+
+
+def _key(operation: Any) -> tuple[str, tuple[str, ...], str]:
     pair = profile_pair(operation)
-    return profiles[_key(pair)][0] if pair else ""
-
-
-def _key(pair: Pair) -> tuple[str, tuple[str, ...]]:
-    return pair[0].Name, pair[1]
+    return (pair[0].Name, pair[1], side_of(operation)) if pair else ("", (), "")
 
 
 def programs(obj: Any) -> list[tuple[str, str]]:

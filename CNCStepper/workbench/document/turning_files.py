@@ -78,10 +78,11 @@ def _keys(job: TurningJob, machine: str) -> dict[str, Any]:
 
 def _profile(document: Any, form: ProfileForm, job: TurningJob) -> Any:
     """Return the object by points of a profile; a drawing's has those of its lines and arcs."""
-    from CNCStepper.job.turning.profile_rows import lines_of, rows_of_curve
+    from CNCStepper.job.turning.profile_rows import lines_of
+    from CNCStepper.job.turning.section_sides import profile_rows
     from CNCStepper.workbench import api
 
-    rows = form.points if form.points is not None else rows_of_curve(job.curves[form.name], job.x_is)
+    rows = form.points if form.points is not None else profile_rows(job.curves[form.name], job.x_is)
     obj = api.add_profile(document, lines_of(rows), job.x_is)
     obj.Label = form.name
     return obj

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 
 def show_all() -> None:
     """Let the active 3D view show all there is: what is new is seldom where the camera looks."""
@@ -17,7 +19,7 @@ def look_at_lathe() -> None:
     import FreeCADGui
 
     shown = FreeCADGui.activeDocument()
-    view = shown.activeView() if shown is not None else None
+    view: Any = shown.activeView() if shown is not None else None
     if hasattr(view, "setCameraOrientation"):
         x, y, z = (FreeCAD.Vector(*axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
         view.setCameraOrientation(FreeCAD.Rotation(z, x, y, "XYZ"))
