@@ -10970,6 +10970,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{drawing}' has more than one solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11006,7 +11010,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{label}' does not lie in a plane through the lathe's axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{label}' has a hollow that no tool can enter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{label}' is drawn where '{other}' is, and counts once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{label}' is no solid of revolution</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12186,6 +12202,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a face of '{label}' does not run round the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a face's normal passes the axis by {passed:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a fault of the program: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12515,6 +12539,14 @@
         </message>
         <message>
             <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile is made of edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile must be one chain of lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13214,6 +13246,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at {z:.4g} mm along the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at {z:.4g} mm along the axis, radius {r:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13694,6 +13734,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose one of them, or join them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose one of: {choices}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13747,6 +13791,10 @@
         </message>
         <message>
             <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it in the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14195,6 +14243,14 @@
         </message>
         <message>
             <source>draw it on the XY plane or on one parallel to it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw it on the XZ plane, with X as the radius and Z along the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw its half profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15107,6 +15163,10 @@
         </message>
         <message>
             <source>it has no boundary</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no face with an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16978,6 +17038,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pick edges only, or the whole object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pick it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18074,7 +18138,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take out the axis and the line at the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out the inner (</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out what is not turned (keyways, flats, cross holes), or draw its half profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19874,6 +19946,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the part has no bore that opens at its front end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20079,6 +20155,10 @@
         </message>
         <message>
             <source>the profile has no key {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile is closed: it has no end at the chuck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21534,6 +21614,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>turn it round, or take its outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>turn the part from its beginning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22710,6 +22794,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{away:.4g} mm beside it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{away_mm:.3f} mm away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23663,6 +23751,10 @@
         </message>
         <message>
             <source>{what}, not {value}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}, at X {x:.4g} Y {y:.4g} Z {z:.4g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
