@@ -11046,10 +11046,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>'{drawing}' is no profile by points</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>'{drawing}' is one more drawing beside '{used}', and only one gives the shape</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16027,10 +16023,6 @@
         </message>
         <message>
             <source>make Q larger</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>make a profile by points and choose that</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

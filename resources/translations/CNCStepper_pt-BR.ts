@@ -11046,10 +11046,6 @@
             <translation>'{drawing}' é um sólido</translation>
         </message>
         <message>
-            <source>'{drawing}' is no profile by points</source>
-            <translation>'{drawing}' não é um perfil por pontos</translation>
-        </message>
-        <message>
             <source>'{drawing}' is one more drawing beside '{used}', and only one gives the shape</source>
             <translation>'{drawing}' é mais um desenho ao lado de '{used}', e só um dá a forma</translation>
         </message>
@@ -16028,10 +16024,6 @@
         <message>
             <source>make Q larger</source>
             <translation>aumente Q</translation>
-        </message>
-        <message>
-            <source>make a profile by points and choose that</source>
-            <translation>faça um perfil por pontos e escolha-o</translation>
         </message>
         <message>
             <source>make a profile of your own from it: cncstepper machine new NAME --from FILE</source>
