@@ -53,10 +53,9 @@ def test_diameters_and_radii_say_the_same_profile() -> None:
 
 @pytest.mark.parametrize("name", ["cone", "cylinder", "shaft", "thread"])
 def test_a_saved_job_file_holds_the_same_job(name: str, tmp_path: Path) -> None:
-    job, _ = load_turning_job(ROOT / "examples" / "jobs" / f"lathe-{name}.toml")
-    whole = (
-        job.model_copy(update={"machine": str(ROOT / "examples" / "jobs" / job.machine)}) if "/" in job.machine else job
-    )
+    path = ROOT / "examples" / "jobs" / f"lathe-{name}.toml"
+    job, _ = load_turning_job(path)
+    whole = job.model_copy(update={"machine": machine_path(job.machine, path.parent)})
     save_turning_job(whole, tmp_path / "out.toml")
     again, _ = load_turning_job(tmp_path / "out.toml")
     assert again.model_dump() == whole.model_dump()
