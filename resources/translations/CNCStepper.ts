@@ -2843,6 +2843,14 @@
     <context>
         <name>CNCStepper</name>
         <message>
+            <source>'Install packages' asks first, and needs no administrator. You find it in the menu too.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'Install' fetches them from Python's package index and puts them into:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3247,6 +3255,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>All packages that CNCStepper works with are there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>All, the outline, or the holes in it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3507,7 +3519,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>CNCStepper works with these packages, which the Python {0} of this FreeCAD lacks:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cancel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cancelled: nothing was installed.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3896,6 +3916,10 @@
         </message>
         <message>
             <source>Depth to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Details</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4415,6 +4439,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>FreeCAD runs as {0}, which nothing can be written into: this folder is outside, and stays with the next one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks numba. All works without, but planning and simulating are slow.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4455,7 +4483,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a folder…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From a zip…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4472,6 +4508,10 @@
         </message>
         <message>
             <source>From contour {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5163,6 +5203,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Install</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Install from files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Install packages</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Install packages…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Installed. CNCStepper can work now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Interpolation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5488,6 +5548,10 @@
         </message>
         <message>
             <source>Looking for a Python…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Looking for pip…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5824,6 +5888,10 @@
         </message>
         <message>
             <source>Nothing was found: the program can be sent.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nothing was installed.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7927,10 +7995,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>To the begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8387,6 +8451,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Zip with packages ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a comment</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8779,6 +8847,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>for the command line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>front</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9036,6 +9108,10 @@
         </message>
         <message>
             <source>nothing to correct</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>numba makes it fast from the next start of FreeCAD on.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9412,6 +9488,26 @@
         </message>
         <message>
             <source>titanium</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to make programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to nest parts on sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to plan and simulate fast</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to reach a machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to read and write files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10170,6 +10266,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Fetching {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fetching {name} ({size})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First eye</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10502,6 +10606,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>No module named pip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>O-words are nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10723,6 +10831,10 @@
         </message>
         <message>
             <source>Width of the slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Writing {count} packages</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11167,6 +11279,10 @@
         </message>
         <message>
             <source>a number that no letter begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a package that is to be replaced is in use</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12126,6 +12242,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>build the zip for it: make installer PYTHONS={version}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bytes when it is unpacked</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12266,6 +12386,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the computer's clock, ask who runs the network for its certificate and set the environment variable PIP_CERT to that file, {zip}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the depth, or lay a spoil board under the stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12299,6 +12423,10 @@
         </message>
         <message>
             <source>chip_load_min_mm must not exceed chip_load_max_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose 'Install packages…' in the CNCStepper menu, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12434,6 +12562,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose the zip of 'make installer', or the folder in which its .whl files are</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12447,6 +12579,10 @@
         </message>
         <message>
             <source>clearance_mm must not be below retract_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close all FreeCAD windows, start FreeCAD, and install before anything else</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12546,6 +12682,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>connect to the internet and try again, {zip}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>constant surface speed became a speed a move</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12559,6 +12699,10 @@
         </message>
         <message>
             <source>coordinates alone may not follow {motion_name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>copy it again and compare its size</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13051,6 +13195,10 @@
         </message>
         <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enter the proxy in FreeCAD (Preferences &gt; Addon Manager) with its name and password, as http://name:password@host:port, {zip}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13727,6 +13875,14 @@
         </message>
         <message>
             <source>install CNCStepper on every worker, and look at the worker's log</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install Python {version} (Debian and Ubuntu: sudo apt-get install python3-pip), or set the environment variable {variable} to the path of one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install it (Debian and Ubuntu: sudo apt-get install python3-pip), {zip}, which brings a pip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14526,6 +14682,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>look at the details, and report them where they do not help</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at the machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14666,6 +14826,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make room (the packages take about 400 MB) and try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14695,6 +14859,10 @@
         </message>
         <message>
             <source>make the corner radius smaller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the folder writable for yourself; nothing needs an administrator</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15050,6 +15218,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no Python {version} is found outside FreeCAD to run pip with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no arc or wire stands at more than 10 kV</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15279,6 +15451,10 @@
         </message>
         <message>
             <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no wheels in</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15630,6 +15806,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>or press 'From files' and take the zip that 'make installer' has built on a computer with internet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>order table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15731,6 +15911,10 @@
         </message>
         <message>
             <source>pins: two signals are on one pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pip could not install the packages: {said}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16143,10 +16327,6 @@
         </message>
         <message>
             <source>rows must be a list of tables</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16878,6 +17058,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the Python that belongs to this FreeCAD has no pip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the USB board's controller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17506,6 +17690,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the disk is full</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the document unpacks to too much</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17870,11 +18058,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the folder for packages cannot be written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the folder is a link</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the folder of sessions cannot be used: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the folder or zip has no {packages} for Python {version} on {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18574,6 +18770,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the package index cannot be reached</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the packing of a strip</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18974,6 +19174,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the proxy of this network does not let pip through</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pulses have ended</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19119,6 +19323,10 @@
         </message>
         <message>
             <source>the section of sheet {number} is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the secure connection to the package index was refused, as in a network that looks into it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19666,6 +19874,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the zip is damaged or not whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19703,6 +19915,10 @@
         </message>
         <message>
             <source>there are A to Z for pulses and {0} for devices</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are no packages in the folder or zip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19867,6 +20083,10 @@
         </message>
         <message>
             <source>there is no {name} of that name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no {packages} for Python {version} on {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20419,6 +20639,10 @@
         </message>
         <message>
             <source>use X or Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a FreeCAD of freecad.org, whose Python has all packages</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22533,6 +22757,17 @@
         </message>
         <message>
             <source>Import tools…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Install</name>
+        <message>
+            <source>Install packages…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Installs the Python packages that are missing, from the internet or from files</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
