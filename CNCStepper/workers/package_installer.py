@@ -94,8 +94,8 @@ def wheel_folder(source: Path, part: Path) -> Path:
         with zipfile.ZipFile(source) as archive:
             for entry in archive.infolist():
                 if entry.filename.endswith(".whl"):
-                    with archive.open(entry) as read, (folder / Path(entry.filename).name).open("wb") as written:
-                        shutil.copyfileobj(read, written)
+                    entry.filename = Path(entry.filename).name  # never outside of the folder
+                    archive.extract(entry, folder)
     if not any(folder.glob("*.whl")):
         raise FileNotFoundError(f"{NO_WHEELS} {source}")
     return folder
