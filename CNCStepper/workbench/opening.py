@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench import commands, dock
+from CNCStepper.workbench import commands, dock, first_run
 from CNCStepper.workbench.installation import open_installation
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.messages import NAME, guarded
@@ -33,4 +33,5 @@ def every() -> None:
         from CNCStepper.workbench.calculation import kernel_warmup
 
         kernel_warmup.begin()
+        first_run.show_once()
     dock.open_if_connected()

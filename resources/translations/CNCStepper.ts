@@ -3327,6 +3327,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Answer the question for the work zero with Start. On the virtual machine the path is free.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Apply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3615,6 +3619,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Choose the profile that is nearest to your machine, and enter its travel and speeds.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Circle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3696,6 +3704,10 @@
         </message>
         <message>
             <source>Connecting…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Connection</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4059,6 +4071,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Draw a part and cut it on a virtual machine, in seven steps. Nothing is connected.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Draw what is to be cut: a text, a shape, a sketch, a freehand line, or import a drawing. OK when it fits.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4184,6 +4204,10 @@
         </message>
         <message>
             <source>Engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Engraving: a map along a point list</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4356,6 +4380,14 @@
         </message>
         <message>
             <source>First number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First steps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4635,6 +4667,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Gasket: cut out of sheet by plasma</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gear ratio</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4852,6 +4888,10 @@
         </message>
         <message>
             <source>How deep one peck goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How do you want to begin?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5531,6 +5571,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Look at a finished job, change its numbers and simulate it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Look at the cut part before it is cut, and at what the checks have found. Then close the panel.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Look at the findings, then decide.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5616,6 +5664,10 @@
         </message>
         <message>
             <source>Make a job first, with New job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make a job: it holds the machine, the size of the stock and the tools. OK takes what is proposed.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6015,6 +6067,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Open an example</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Open contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6232,6 +6288,10 @@
         </message>
         <message>
             <source>Plasma</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plate: holes, pockets and a contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6835,6 +6895,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Select the drawing in the tree, then choose how it is cut: engrave it, clear it as a pocket, or cut along its contour. OK when the depth is right.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6859,6 +6923,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send it. Leave the port on 'Virtual grbl (no machine)' and press Connect: nothing can break.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Send this restart…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6871,7 +6939,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Set up my machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shaft: turned on a lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6951,6 +7027,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sign: letters, a pocket and an outline with tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6964,6 +7044,10 @@
         </message>
         <message>
             <source>Simulate again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Simulation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7927,6 +8011,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>This card does not come again by itself: it is in the menu CNCStepper, First steps.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8103,6 +8191,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Try without hardware</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8192,6 +8284,10 @@
         </message>
         <message>
             <source>Warnings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Watch it cut. Hold stops the feed and Resume goes on; Stop ends it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8367,6 +8463,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Wing rib: out of foam by a hot wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wire cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8428,6 +8528,10 @@
         </message>
         <message>
             <source>Y, steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Your first part is cut. A real machine goes the same road: set it up under Machines first.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22724,6 +22828,17 @@
         </message>
         <message>
             <source>Makes the top flat: of the stock, or of what is selected</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_FirstSteps</name>
+        <message>
+            <source>First steps…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Three ways to begin: a tour without a machine, your machine, an example</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -3327,6 +3327,10 @@
             <translation>Outra máquina?</translation>
         </message>
         <message>
+            <source>Answer the question for the work zero with Start. On the virtual machine the path is free.</source>
+            <translation>Responda à pergunta do zero da peça com Iniciar. Na máquina virtual o caminho está livre.</translation>
+        </message>
+        <message>
             <source>Apply</source>
             <translation>Aplicar</translation>
         </message>
@@ -3615,6 +3619,10 @@
             <translation>Escolha aqui</translation>
         </message>
         <message>
+            <source>Choose the profile that is nearest to your machine, and enter its travel and speeds.</source>
+            <translation>Escolha o perfil mais próximo da sua máquina e informe cursos e velocidades.</translation>
+        </message>
+        <message>
             <source>Circle</source>
             <translation>Círculo</translation>
         </message>
@@ -3697,6 +3705,10 @@
         <message>
             <source>Connecting…</source>
             <translation>Conectando…</translation>
+        </message>
+        <message>
+            <source>Connection</source>
+            <translation>Conexão</translation>
         </message>
         <message>
             <source>Connection lost</source>
@@ -4059,6 +4071,14 @@
             <translation>Desenhe uma linha: pressione o botão esquerdo, mova, solte. Shift: reta. Esc: encerrar o desenho.</translation>
         </message>
         <message>
+            <source>Draw a part and cut it on a virtual machine, in seven steps. Nothing is connected.</source>
+            <translation>Desenhe uma peça e corte-a em uma máquina virtual, em sete passos. Nada é conectado.</translation>
+        </message>
+        <message>
+            <source>Draw what is to be cut: a text, a shape, a sketch, a freehand line, or import a drawing. OK when it fits.</source>
+            <translation>Desenhe o que será cortado: um texto, uma forma, um esboço, uma linha à mão livre, ou importe um desenho. OK quando servir.</translation>
+        </message>
+        <message>
             <source>Drawing</source>
             <translation>Desenho</translation>
         </message>
@@ -4185,6 +4205,10 @@
         <message>
             <source>Engraving</source>
             <translation>Gravação</translation>
+        </message>
+        <message>
+            <source>Engraving: a map along a point list</source>
+            <translation>Gravação: um mapa por uma lista de pontos</translation>
         </message>
         <message>
             <source>Enter from</source>
@@ -4357,6 +4381,14 @@
         <message>
             <source>First number</source>
             <translation>Primeiro número</translation>
+        </message>
+        <message>
+            <source>First part</source>
+            <translation>Primeira peça</translation>
+        </message>
+        <message>
+            <source>First steps</source>
+            <translation>Primeiros passos</translation>
         </message>
         <message>
             <source>First wait</source>
@@ -4635,6 +4667,10 @@
             <translation>Vãos até isto são fechados</translation>
         </message>
         <message>
+            <source>Gasket: cut out of sheet by plasma</source>
+            <translation>Junta: cortada de chapa por plasma</translation>
+        </message>
+        <message>
             <source>Gear ratio</source>
             <translation>Redução</translation>
         </message>
@@ -4853,6 +4889,10 @@
         <message>
             <source>How deep one peck goes</source>
             <translation>Quanto desce cada bicada</translation>
+        </message>
+        <message>
+            <source>How do you want to begin?</source>
+            <translation>Como você quer começar?</translation>
         </message>
         <message>
             <source>How far a closed cut is followed with power beyond its begin</source>
@@ -5531,6 +5571,14 @@
             <translation>Roda de trava</translation>
         </message>
         <message>
+            <source>Look at a finished job, change its numbers and simulate it.</source>
+            <translation>Veja um trabalho pronto, mude os números e simule.</translation>
+        </message>
+        <message>
+            <source>Look at the cut part before it is cut, and at what the checks have found. Then close the panel.</source>
+            <translation>Veja a peça antes de cortá-la e o que as verificações acharam. Depois feche o painel.</translation>
+        </message>
+        <message>
             <source>Look at the findings, then decide.</source>
             <translation>Examine as ocorrências e decida.</translation>
         </message>
@@ -5617,6 +5665,10 @@
         <message>
             <source>Make a job first, with New job</source>
             <translation>Crie antes um trabalho, com Novo trabalho</translation>
+        </message>
+        <message>
+            <source>Make a job: it holds the machine, the size of the stock and the tools. OK takes what is proposed.</source>
+            <translation>Faça um trabalho: ele guarda a máquina, o tamanho do bloco e as ferramentas. OK aceita o que é proposto.</translation>
         </message>
         <message>
             <source>Make shorter…</source>
@@ -6015,6 +6067,10 @@
             <translation>Abrir um arquivo G-code</translation>
         </message>
         <message>
+            <source>Open an example</source>
+            <translation>Abrir um exemplo</translation>
+        </message>
+        <message>
             <source>Open contour</source>
             <translation>Contorno aberto</translation>
         </message>
@@ -6233,6 +6289,10 @@
         <message>
             <source>Plasma</source>
             <translation>Plasma</translation>
+        </message>
+        <message>
+            <source>Plate: holes, pockets and a contour</source>
+            <translation>Placa: furos, bolsões e um contorno</translation>
         </message>
         <message>
             <source>Play or pause</source>
@@ -6835,6 +6895,10 @@
             <translation>Selecione o que esvaziar: um esboço, fios fechados ou faces de um sólido</translation>
         </message>
         <message>
+            <source>Select the drawing in the tree, then choose how it is cut: engrave it, clear it as a pocket, or cut along its contour. OK when the depth is right.</source>
+            <translation>Selecione o desenho na árvore e escolha como cortá-lo: gravar, abrir um bolsão ou contornar. OK quando a profundidade estiver certa.</translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation>Selecione o trabalho na árvore: este documento tem vários</translation>
         </message>
@@ -6859,6 +6923,10 @@
             <translation>Enviar assim mesmo</translation>
         </message>
         <message>
+            <source>Send it. Leave the port on 'Virtual grbl (no machine)' and press Connect: nothing can break.</source>
+            <translation>Envie. Deixe a porta em 'grbl virtual (sem máquina)' e aperte Conectar: nada pode quebrar.</translation>
+        </message>
+        <message>
             <source>Send this restart…</source>
             <translation>Enviar este reinício…</translation>
         </message>
@@ -6871,8 +6939,16 @@
             <translation>Enviado à frente no máximo</translation>
         </message>
         <message>
+            <source>Set up my machine</source>
+            <translation>Configurar minha máquina</translation>
+        </message>
+        <message>
             <source>Setting</source>
             <translation>Composição</translation>
+        </message>
+        <message>
+            <source>Shaft: turned on a lathe</source>
+            <translation>Eixo: torneado</translation>
         </message>
         <message>
             <source>Shape</source>
@@ -6951,6 +7027,10 @@
             <translation>Lados</translation>
         </message>
         <message>
+            <source>Sign: letters, a pocket and an outline with tabs</source>
+            <translation>Letreiro: letras, um bolsão e um contorno com pontes</translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
             <translation>Sinais e pinos</translation>
         </message>
@@ -6965,6 +7045,10 @@
         <message>
             <source>Simulate again</source>
             <translation>Simular de novo</translation>
+        </message>
+        <message>
+            <source>Simulation</source>
+            <translation>Simulação</translation>
         </message>
         <message>
             <source>Size</source>
@@ -7927,6 +8011,10 @@
             <translation>Espessura da alma</translation>
         </message>
         <message>
+            <source>This card does not come again by itself: it is in the menu CNCStepper, First steps.</source>
+            <translation>Este cartão não volta sozinho: está no menu CNCStepper, Primeiros passos.</translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation>Isto se corta por: {0}. O processo do trabalho é: {1}</translation>
         </message>
@@ -8103,6 +8191,10 @@
             <translation>Chapa triangular</translation>
         </message>
         <message>
+            <source>Try without hardware</source>
+            <translation>Experimentar sem máquina</translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
         </message>
@@ -8193,6 +8285,10 @@
         <message>
             <source>Warnings</source>
             <translation>Avisos</translation>
+        </message>
+        <message>
+            <source>Watch it cut. Hold stops the feed and Resume goes on; Stop ends it.</source>
+            <translation>Veja o corte. Pausar detém o avanço e Retomar continua; Parar encerra.</translation>
         </message>
         <message>
             <source>Water jet</source>
@@ -8367,6 +8463,10 @@
             <translation>Largura do rasgo</translation>
         </message>
         <message>
+            <source>Wing rib: out of foam by a hot wire</source>
+            <translation>Nervura de asa: de espuma, por fio quente</translation>
+        </message>
+        <message>
             <source>Wire cut</source>
             <translation>Corte com fio</translation>
         </message>
@@ -8429,6 +8529,10 @@
         <message>
             <source>Y, steps</source>
             <translation>Y, passos</translation>
+        </message>
+        <message>
+            <source>Your first part is cut. A real machine goes the same road: set it up under Machines first.</source>
+            <translation>Sua primeira peça está cortada. Com uma máquina de verdade o caminho é o mesmo: configure-a antes em Máquinas.</translation>
         </message>
         <message>
             <source>Z of the faces or of the section</source>
@@ -22725,6 +22829,17 @@
         <message>
             <source>Makes the top flat: of the stock, or of what is selected</source>
             <translation>Aplaina o topo: do bloco ou do que está selecionado</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_FirstSteps</name>
+        <message>
+            <source>First steps…</source>
+            <translation>Primeiros passos…</translation>
+        </message>
+        <message>
+            <source>Three ways to begin: a tour without a machine, your machine, an example</source>
+            <translation>Três modos de começar: um passeio sem máquina, a sua máquina, um exemplo</translation>
         </message>
     </context>
     <context>

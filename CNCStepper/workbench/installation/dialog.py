@@ -214,9 +214,11 @@ def begin_to_work() -> None:
     """Let commands see what was installed, and compile what a first cut needs."""
     if missing_packages.why_not():
         return
+    from CNCStepper.workbench import first_run
     from CNCStepper.workbench.calculation import kernel_warmup
 
     kernel_warmup.begin()
+    first_run.show_once()
     command.look_again(*(name for name in FreeCADGui.listCommands() if name.startswith("CNCStepper_")))
 
 
