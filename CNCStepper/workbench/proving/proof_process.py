@@ -161,7 +161,7 @@ class ProofRun(QtCore.QObject):
         self._program = api.program_text(self._job)
         asked = job_behind(self._job)
         job, machine, language = proven_with(self._job), machine_of(asked), language_of(self._job)
-        self._origin_mm = tuple(asked.WorkOrigin)
+        self._origin_mm = asked.Proxy.origin_mm(asked)
         names = (self._job.Label, self._origin_mm)
         self._folder = tempfile.TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)
         path = Path(self._folder.name)
