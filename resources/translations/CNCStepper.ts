@@ -20494,6 +20494,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program of a lathe cannot be restarted in its middle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program pauses while the spindle turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21851,6 +21855,10 @@
         </message>
         <message>
             <source>try it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn the part from its beginning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

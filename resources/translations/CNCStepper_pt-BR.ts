@@ -20494,6 +20494,10 @@
             <translation>o programa precisa de mais de uma ferramenta</translation>
         </message>
         <message>
+            <source>the program of a lathe cannot be restarted in its middle</source>
+            <translation>o programa de um torno não pode ser reiniciado no meio</translation>
+        </message>
+        <message>
             <source>the program pauses while the spindle turns</source>
             <translation>o programa espera com o spindle girando</translation>
         </message>
@@ -21852,6 +21856,10 @@
         <message>
             <source>try it again</source>
             <translation>tente de novo</translation>
+        </message>
+        <message>
+            <source>turn the part from its beginning</source>
+            <translation>torneie a peça desde o começo</translation>
         </message>
         <message>
             <source>turn the program instead</source>

@@ -11,13 +11,17 @@ import pytest
 
 from CNCStepper.errors import JobError
 from CNCStepper.job.turning.make_turning import make_turning
+from CNCStepper.job.turning.prove_turning import prove_turning
 from CNCStepper.job.turning.turning_job import load_turning_job
+from CNCStepper.job.turning.turning_proof_folder import read_turned_answer
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document.job_files import export_job, open_job
 from CNCStepper.workbench.features.base import edit, problem_of
 from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
+from CNCStepper.workers.proof import answer
 
 ROOT = Path(__file__).parents[2]
+SHAFT = ROOT / "examples" / "jobs" / "lathe-shaft.toml"
 JOBS = sorted((ROOT / "examples" / "jobs").glob("lathe-*.toml"))
 
 
@@ -149,3 +153,37 @@ def test_a_job_without_what_it_needs_says_so(document: Any) -> None:
 def edit_and_check(job: Any, **values: Any) -> None:
     edit(job, **values)
     job.Proxy.check(job)
+
+
+def proven(job: Any, tmp_path: Path) -> Any:
+    """Return the answer of the proof of a job's program, as the process that proves gives it."""
+    job.Proxy.proof_question(job, job)(tmp_path, api.program_text(job))
+    answer(tmp_path, job.Label)
+    return read_turned_answer(tmp_path)
+
+
+def test_the_proof_of_the_document_is_that_of_the_job_file(document: Any, tmp_path: Path) -> None:
+    job = opened(document, SHAFT)
+    core, machine = load_turning_job(SHAFT)
+    made = make_turning(core, machine, job.Label)
+    proofs = list(prove_turning(core, machine, made, tmp_path))
+    assert job.ProgramParts == len(proofs) == 3
+    for part, wanted in enumerate(proofs, start=1):
+        edit(job, part=part)
+        document.recompute()
+        folder = tmp_path / f"{part}"
+        folder.mkdir()
+        found = proven(job, folder)
+        assert found.report["profile"] == wanted.proof.report["profile"]
+        assert [one.code for one in found.findings] == [one.code for one in wanted.proof.findings]
+        assert found.send_file.is_file() and not found.refused
+        assert max(ring[:, 1].max() for ring in found.rings) == pytest.approx(27.5)
+
+
+def test_a_gouge_in_an_edited_program_is_found(document: Any, tmp_path: Path) -> None:
+    job = opened(document, JOBS[0])
+    edited = api.edit_program(job, api.program_text(job).replace("G01", "G00"))
+    document.recompute()
+    job.Proxy.proof_question(job, edited)(tmp_path, api.program_text(edited))
+    answer(tmp_path, edited.Label)
+    assert read_turned_answer(tmp_path).refused

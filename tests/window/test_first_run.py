@@ -79,7 +79,8 @@ def test_the_card_comes_until_it_is_closed_and_by_the_menu(hand: Hand) -> None:
 def test_an_example_is_two_clicks(hand: Hand, number: int) -> None:
     example = EXAMPLES[number]
     hand.main(first_run.open_card)
-    hand.click(f"{CARD}_example")
+    hand.wait(lambda: hand.exists(f"{CARD}_example"))
+    hand._click_place(hand.main(lambda: places.of_widget(places.find(f"{CARD}_example"), None)))
     hand.wait(lambda: places.popup_entry(example.title))
     hand.shot("first-steps-examples")
     hand._click_place(hand.main(places.popup_entry, example.title))

@@ -75,7 +75,7 @@ def open_dialog(hand: Hand, target: Path) -> Iterator[Callable[[], Any]]:
 
 def choose(hand: Hand, entry: str, path: Path) -> None:
     """Choose a zip or a folder by the button, as a person does who types its path."""
-    hand.click(f"{I}_files")
+    hand._click_place(hand.main(lambda: places.of_widget(places.find(f"{I}_files"), None)))
     hand.wait(lambda: places.popup_entry(entry))
     hand._click_place(hand.main(places.popup_entry, entry))
     hand.wait(lambda: hand.exists(f"{I}_file"), 10, "the question which file")
@@ -101,6 +101,7 @@ def test_a_folder_is_installed_and_imported_at_once(hand: Hand, open_dialog: Any
     assert hand.main(dialog.list.count) == 0
     assert not hand.main(dialog.install_button.isEnabled)
     hand.shot("install-done", dialog)
+    print(f"the longest block of the window: {watch.max_ms:.0f} ms")
     assert watch.max_ms < 200, "the window waits for pip"
 
 

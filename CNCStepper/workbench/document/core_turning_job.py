@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
 from CNCStepper.errors import JobError
@@ -17,6 +18,8 @@ from CNCStepper.workbench.document.operation_order import active_operations
 from CNCStepper.workbench.document.profile_of_operation import Pair, profile_pair, rows_of
 from CNCStepper.workbench.features.base import values
 from CNCStepper.workbench.features.cycle_operation import in_tables, tool_of
+from CNCStepper.workbench.features.program import is_of_a_file
+from CNCStepper.workbench.features.program_job import part_of
 from CNCStepper.workbench.features.turning.turning_tool import model_of
 
 PLAIN = ("units", "machine", "process", "x_is", "distance", "canned", "material", "coolant", "work_offset",
@@ -126,6 +129,22 @@ def _cut_alone(obj: Any, operation: Any) -> TurningJob:
         if each.Active and each.Proxy.CYCLE == MADE_BY_DRILLING and not each.Problem:
             before.append(each)
     return turning_job_of(obj, [*before, operation])
+
+
+def proof_question(obj: Any, program: Any) -> Callable[[Path, str], None]:
+    """Return what writes the request for the proof of a job's, an edited or a G-code file's program into a folder."""
+    from CNCStepper.job.turning.prove_program import TurnedBar
+    from CNCStepper.job.turning.turning_proof_folder import write_file_question, write_job_question
+
+    machine = lathe_of(obj)
+    if is_of_a_file(program):
+        stock = validated(TurnedStock, _setup_content(obj)["stock"], obj.Label)
+        bar = TurnedBar(stock.diameter_mm, stock.length_mm, stock.bore_mm, stock.face_mm)
+        tools = list(map(model_of, obj.Tools))
+        return lambda folder, text: write_file_question(folder, text, bar, tools, machine)
+    job, part = turning_job_of(obj), part_of(obj, obj.ProgramParts)
+    title = str(obj.Label)
+    return lambda folder, text: write_job_question(folder, text, job, machine, part, title)
 
 
 def read_back(obj: Any, text: str) -> Toolpath:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError
@@ -126,6 +128,14 @@ class Job(ProgramJob):
         from CNCStepper.workbench.document.core_job import programs
 
         return programs(obj)
+
+    def proof_question(self, obj: Any, program: Any) -> Callable[[Path, str], None]:
+        """Return what writes the request for a proof into a folder, with the program's text; raises JobError."""
+        from CNCStepper.job.proof_folder import write_question
+        from CNCStepper.workbench.document.core_job import language_of, machine_of, proven_with
+
+        job, machine, language = proven_with(program), machine_of(obj), language_of(program)
+        return lambda folder, text: write_question(folder, text, job, machine, language)
 
     def read_back(self, obj: Any, text: str) -> Any:
         """Return the table of moves of a program's text, in work coordinates; raises ProgramError."""

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from CNCStepper.errors import JobError
@@ -110,6 +112,13 @@ class ProgramJob(Feature):
 
     def programs(self, obj: Any) -> list[tuple[str, str]]:
         """Return the names and texts of the programs: one without a name, or several; raises what the core raises."""
+        raise NotImplementedError
+
+    def proof_question(self, obj: Any, program: Any) -> Callable[[Path, str], None]:
+        """Return what writes the request for a proof into a folder, with the program's text; the document is read now.
+
+        program: the job itself, an edited program or a G-code file's. Raises what the core raises.
+        """
         raise NotImplementedError
 
     def read_back(self, obj: Any, text: str) -> Any:

@@ -35,7 +35,7 @@ class Card(QtGui.QDialog):
         column.addWidget(self._label("again", again))
         close = QtGui.QPushButton(tr("Close"), self)
         close.setObjectName(f"{NAME}_close")
-        close.clicked.connect(guarded(self.accept))
+        close.clicked.connect(guarded(lambda: self.accept()))
         column.addWidget(close, 0, QtCore.Qt.AlignmentFlag.AlignRight)
 
     def try_out(self) -> None:

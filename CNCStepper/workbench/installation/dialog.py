@@ -134,8 +134,8 @@ class Installer(QtGui.QDialog):
     def _say_error(self, error: CNCStepperError | None) -> None:
         self.error.setVisible(error is not None)
         if error is not None:
-            advice = translated(error.advice)
-            self.error.setText(f"{sentence(error)}.\n{advice[:1].upper()}{advice[1:]}.")
+            sentences = (sentence(error), translated(error.advice))
+            self.error.setText("\n".join(f"{text[:1].upper()}{text[1:]}." for text in sentences))
 
     def _show_state(self) -> None:
         """Enable what can be pressed now."""
@@ -189,7 +189,7 @@ class Installer(QtGui.QDialog):
         self.files_button.setMenu(menu)
         self.details_button = _button(self, "details_button", tr("Details"))
         self.details_button.setCheckable(True)
-        self.details_button.toggled.connect(guarded(self.details.setVisible))
+        self.details_button.toggled.connect(guarded(lambda shown: self.details.setVisible(shown)))
         self.close_button = _button(self, "close", tr("Close"), self._close_or_cancel)
 
     def install_from_index(self) -> None:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from CNCStepper.machine.processes import TURNING
@@ -127,6 +129,12 @@ class LatheJob(ProgramJob):
         from CNCStepper.workbench.document.core_turning_job import programs
 
         return programs(obj)
+
+    def proof_question(self, obj: Any, program: Any) -> Callable[[Path, str], None]:
+        """Return what writes the request for a proof into a folder, with the program's text; raises JobError."""
+        from CNCStepper.workbench.document.core_turning_job import proof_question
+
+        return proof_question(obj, program)
 
     def read_back(self, obj: Any, text: str) -> Any:
         """Return the table of moves of a program's text, X the radius and Z the part's; raises ProgramError."""
