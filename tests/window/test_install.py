@@ -13,6 +13,7 @@ from typing import Any
 
 import FreeCADGui
 import pytest
+from PySide import QtGui
 from test_language import PORTUGUESE, STARTED_IN, shown_texts
 
 from CNCStepper import dependencies
@@ -79,9 +80,11 @@ def choose(hand: Hand, entry: str, path: Path) -> None:
     hand.wait(lambda: places.popup_entry(entry))
     hand._click_place(hand.main(places.popup_entry, entry))
     hand.wait(lambda: hand.exists(f"{I}_file"), 10, "the question which file")
-    hand.type(str(path))
+    line = hand.main(lambda: places.find(f"{I}_file").findChild(QtGui.QLineEdit, "fileNameEdit"))
+    hand.main(line.setText, str(path))
+    hand.click("fileNameEdit")
     hand.key("Return")
-    hand.wait(lambda: not hand.exists(f"{I}_file"), 10, "the file dialog to close")
+    hand.wait(lambda: places.find(f"{I}_status").text(), 10, "the installation to begin")
 
 
 def ended(hand: Hand, dialog: Any) -> None:
@@ -92,8 +95,8 @@ def test_a_folder_is_installed_and_imported_at_once(hand: Hand, open_dialog: Any
     dialog = open_dialog()
     assert str(target) in hand.text(f"{I}_place")
     hand.shot("install-asks", dialog)
+    choose(hand, "From a folder…", wheels)
     with hand.watchdog() as watch:
-        choose(hand, "From a folder…", wheels)
         ended(hand, dialog)
     assert hand.text(f"{I}_status").startswith("Installed."), hand.main(dialog.details.toPlainText)
     assert hand.main(lambda: importlib.import_module("cncstepper_probe").VERSION) == "1.0"

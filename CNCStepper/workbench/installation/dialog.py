@@ -160,8 +160,9 @@ class Installer(QtGui.QDialog):
         dialog = QtGui.QFileDialog(self, tr("Install from files"), str(Path.home()), name_filter)
         dialog.setObjectName(f"{NAME}_file")
         dialog.setFileMode(mode)
-        if getattr(dialog, "exec", dialog.exec_)() and dialog.selectedFiles():
-            self.install(Path(dialog.selectedFiles()[0]))
+        dialog.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.fileSelected.connect(guarded(lambda path: self.install(Path(path))))
+        dialog.open()
 
     # --- its widgets -------------------------------------------------------------------------------
 
