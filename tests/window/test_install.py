@@ -63,6 +63,8 @@ def open_dialog(hand: Hand, target: Path) -> Iterator[Callable[[], Any]]:
         def make() -> Any:
             dialog = Installer(FreeCADGui.getMainWindow(), NEEDS, target)
             dialog.show()
+            dialog.raise_()
+            dialog.activateWindow()
             return dialog
 
         opened.append(hand.main(make))
