@@ -11170,6 +11170,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{drawing}' has more than one solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11206,7 +11210,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{label}' does not lie in a plane through the lathe's axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{label}' has a hollow that no tool can enter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{label}' is drawn where '{other}' is, and counts once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{label}' is no solid of revolution</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12402,6 +12418,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a face of '{label}' does not run round the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a face's normal passes the axis by {passed:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a fault of the program: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12735,6 +12759,14 @@
         </message>
         <message>
             <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile is made of edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile must be one chain of lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13434,6 +13466,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at {z:.4g} mm along the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at {z:.4g} mm along the axis, radius {r:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13926,6 +13966,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose one of them, or join them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose one of: {choices}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13987,6 +14031,10 @@
         </message>
         <message>
             <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it in the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14443,6 +14491,14 @@
         </message>
         <message>
             <source>draw it on the XY plane or on one parallel to it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw it on the XZ plane, with X as the radius and Z along the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw its half profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15367,6 +15423,10 @@
         </message>
         <message>
             <source>it has no boundary</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it has no face with an axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17262,6 +17322,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pick edges only, or the whole object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pick it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18358,7 +18422,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take out the axis and the line at the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out the inner (</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out what is not turned (keyways, flats, cross holes), or draw its half profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20178,6 +20250,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the part has no bore that opens at its front end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20383,6 +20459,10 @@
         </message>
         <message>
             <source>the profile has no key {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile is closed: it has no end at the chuck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21858,6 +21938,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>turn it round, or take its outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>turn the part from its beginning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23038,6 +23122,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{away:.4g} mm beside it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{away_mm:.3f} mm away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23991,6 +24079,10 @@
         </message>
         <message>
             <source>{what}, not {value}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}, at X {x:.4g} Y {y:.4g} Z {z:.4g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -11170,6 +11170,10 @@
             <translation>'{designation}' não é a designação de uma rosca</translation>
         </message>
         <message>
+            <source>'{drawing}' has more than one solid</source>
+            <translation>'{drawing}' tem mais de um sólido</translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation>'{drawing}' não contém linhas que possam ser seguidas</translation>
         </message>
@@ -11206,8 +11210,20 @@
             <translation>'{key}' não pode ser {value!r}</translation>
         </message>
         <message>
+            <source>'{label}' does not lie in a plane through the lathe's axis</source>
+            <translation>'{label}' não está em um plano que passa pelo eixo do torno</translation>
+        </message>
+        <message>
+            <source>'{label}' has a hollow that no tool can enter</source>
+            <translation>'{label}' tem um vazio interno em que nenhuma ferramenta entra</translation>
+        </message>
+        <message>
             <source>'{label}' is drawn where '{other}' is, and counts once</source>
             <translation>'{label}' está desenhado onde está '{other}' e conta uma só vez</translation>
+        </message>
+        <message>
+            <source>'{label}' is no solid of revolution</source>
+            <translation>'{label}' não é um sólido de revolução</translation>
         </message>
         <message>
             <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
@@ -12402,6 +12418,14 @@
             <translation>uma broca anda de lado dentro do material</translation>
         </message>
         <message>
+            <source>a face of '{label}' does not run round the axis</source>
+            <translation>uma face de '{label}' não contorna o eixo</translation>
+        </message>
+        <message>
+            <source>a face's normal passes the axis by {passed:.4g} mm</source>
+            <translation>a normal de uma face passa a {passed:.4g} mm do eixo</translation>
+        </message>
+        <message>
             <source>a fault of the program: {kind}: {error}</source>
             <translation>uma falha do programa: {kind}: {error}</translation>
         </message>
@@ -12736,6 +12760,14 @@
         <message>
             <source>a process of ours has a machine's port, but its file {path} cannot be read: {error}</source>
             <translation>um processo nosso tem a porta de uma máquina, mas seu arquivo {path} não pode ser lido: {error}</translation>
+        </message>
+        <message>
+            <source>a profile is made of edges</source>
+            <translation>um perfil é feito de arestas</translation>
+        </message>
+        <message>
+            <source>a profile must be one chain of lines</source>
+            <translation>um perfil deve ser uma única cadeia de linhas</translation>
         </message>
         <message>
             <source>a profile needs points or dxf, one of them</source>
@@ -13434,6 +13466,14 @@
             <translation>em z {0} mm, raio {1} mm</translation>
         </message>
         <message>
+            <source>at {z:.4g} mm along the axis</source>
+            <translation>em {z:.4g} mm ao longo do eixo</translation>
+        </message>
+        <message>
+            <source>at {z:.4g} mm along the axis, radius {r:.4g} mm</source>
+            <translation>em {z:.4g} mm ao longo do eixo, raio {r:.4g} mm</translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation>ligue-se a ela de novo</translation>
         </message>
@@ -13926,6 +13966,10 @@
             <translation>escolha um deles, ou usine todos com um bolsão</translation>
         </message>
         <message>
+            <source>choose one of them, or join them</source>
+            <translation>escolha um deles ou una-os</translation>
+        </message>
+        <message>
             <source>choose one of: {choices}</source>
             <translation>escolha um destes: {choices}</translation>
         </message>
@@ -13988,6 +14032,10 @@
         <message>
             <source>close it first: cncstepper disconnect</source>
             <translation>feche-a antes: cncstepper disconnect</translation>
+        </message>
+        <message>
+            <source>close it in the drawing</source>
+            <translation>feche-o no desenho</translation>
         </message>
         <message>
             <source>close it or set closed = false</source>
@@ -14444,6 +14492,14 @@
         <message>
             <source>draw it on the XY plane or on one parallel to it</source>
             <translation>desenhe-o no plano XY ou em um paralelo a ele</translation>
+        </message>
+        <message>
+            <source>draw it on the XZ plane, with X as the radius and Z along the axis</source>
+            <translation>desenhe-o no plano XZ, com X como raio e Z ao longo do eixo</translation>
+        </message>
+        <message>
+            <source>draw its half profile</source>
+            <translation>desenhe seu meio perfil</translation>
         </message>
         <message>
             <source>draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers</source>
@@ -15368,6 +15424,10 @@
         <message>
             <source>it has no boundary</source>
             <translation>não tem fronteira</translation>
+        </message>
+        <message>
+            <source>it has no face with an axis</source>
+            <translation>não tem nenhuma face com eixo</translation>
         </message>
         <message>
             <source>it has no face {0}</source>
@@ -17262,6 +17322,10 @@
             <translation>peck_mm {peck_mm:g} mm</translation>
         </message>
         <message>
+            <source>pick edges only, or the whole object</source>
+            <translation>escolha só arestas, ou o objeto inteiro</translation>
+        </message>
+        <message>
             <source>pick it again</source>
             <translation>escolha-o de novo</translation>
         </message>
@@ -18358,8 +18422,16 @@
             <translation>tire o G4, ou desligue a potência com M5 antes dele</translation>
         </message>
         <message>
+            <source>take out the axis and the line at the chuck</source>
+            <translation>retire o eixo e a linha junto à placa</translation>
+        </message>
+        <message>
             <source>take out the inner (</source>
             <translation>retire o ( interno</translation>
+        </message>
+        <message>
+            <source>take out what is not turned (keyways, flats, cross holes), or draw its half profile</source>
+            <translation>retire o que não é torneado (rasgos de chaveta, rebaixos planos, furos transversais) ou desenhe seu meio perfil</translation>
         </message>
         <message>
             <source>take out work_offset</source>
@@ -20178,6 +20250,10 @@
             <translation>o que fica em X{x:.3f} Y{y:.3f} se soltaria antes de ser cortado, em qualquer ordem</translation>
         </message>
         <message>
+            <source>the part has no bore that opens at its front end</source>
+            <translation>a peça não tem furo que se abra na face da frente</translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation>a peça pode diferir dele por esse tanto: diminua P, ou siga o caminho exato com G61</translation>
         </message>
@@ -20384,6 +20460,10 @@
         <message>
             <source>the profile has no key {key}</source>
             <translation>o perfil não tem a chave {key}</translation>
+        </message>
+        <message>
+            <source>the profile is closed: it has no end at the chuck</source>
+            <translation>o perfil é fechado: não tem extremidade junto à placa</translation>
         </message>
         <message>
             <source>the profile is smaller than its allowance</source>
@@ -21858,6 +21938,10 @@
             <translation>tente de novo</translation>
         </message>
         <message>
+            <source>turn it round, or take its outside</source>
+            <translation>vire-a ou use o lado de fora</translation>
+        </message>
+        <message>
             <source>turn the part from its beginning</source>
             <translation>torneie a peça desde o começo</translation>
         </message>
@@ -23038,6 +23122,10 @@
             <translation>{asked}; usa-se: {other}</translation>
         </message>
         <message>
+            <source>{away:.4g} mm beside it</source>
+            <translation>a {away:.4g} mm dele</translation>
+        </message>
+        <message>
             <source>{away_mm:.3f} mm away</source>
             <translation>a {away_mm:.3f} mm de distância</translation>
         </message>
@@ -23992,6 +24080,10 @@
         <message>
             <source>{what}, not {value}</source>
             <translation>{what}, não {value}</translation>
+        </message>
+        <message>
+            <source>{why}, at X {x:.4g} Y {y:.4g} Z {z:.4g}</source>
+            <translation>{why}, em X {x:.4g} Y {y:.4g} Z {z:.4g}</translation>
         </message>
         <message>
             <source>{why}. Now {state}</source>
