@@ -7,10 +7,16 @@ from typing import Any
 
 
 def show_all() -> None:
-    """Let the active 3D view show all there is: what is new is seldom where the camera looks."""
-    import FreeCADGui
+    """Let the active 3D view show all there is: what is new is seldom where the camera looks.
 
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    Without a window there is none.
+    """
+    import FreeCAD
+
+    if FreeCAD.GuiUp:
+        import FreeCADGui
+
+        FreeCADGui.SendMsgToActiveView("ViewFit")
 
 
 def look_at_lathe() -> None:
