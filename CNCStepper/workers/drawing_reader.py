@@ -6,6 +6,7 @@ before. Each line on standard output is about the newest:
 
     {"mark": 3, "drawing": {"file": PATH, "form": {...}, "limits": {...}}}
     {"mark": 3, "slices": {"solid": PATH, "folder": PATH, "title": TEXT, "form": {...}}}
+    {"mark": 3, "template": {"file": PATH, "path": PATH, "content": {...}, "make": false}}
 
     {"mark": 3, "share": 0.4}                     what share is done
     {"mark": 3, "answer": {...}}                  the end of it
@@ -87,9 +88,16 @@ def _slices(question: dict[str, Any], share: Callable[[float], None]) -> dict[st
     return answer_of(question["slices"], share)
 
 
+def _template(question: dict[str, Any], share: Callable[[float], None]) -> dict[str, Any]:
+    from CNCStepper.job.templates.template_answer import template_answer
+
+    return template_answer(question["template"], share)
+
+
 WORK: dict[str, Callable[[dict[str, Any], Callable[[float], None]], dict[str, Any]]] = {
     "drawing": _drawing,
     "slices": _slices,
+    "template": _template,
 }
 
 

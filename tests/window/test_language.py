@@ -26,6 +26,7 @@ COMMANDS = {
     "CNCStepper_Text": "Texto",
     "CNCStepper_Shapes": "Formas…",
     "CNCStepper_Slices": "Fatiar um sólido…",
+    "CNCStepper_Template": "Modelo…",
     "CNCStepper_Freehand": "À mão livre",
     "CNCStepper_Face": "Facear",
     "CNCStepper_Pocket": "Bolsão",

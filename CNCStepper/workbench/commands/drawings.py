@@ -42,6 +42,27 @@ class ImportDrawing(Command):
         create(document, self.text(), lambda: _group(document, path))
 
 
+class Template(Command):
+    """Makes a job of an imported drawing by the rules of a template."""
+
+    name = "CNCStepper_Template"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Template", "Template…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Template", "Makes a job of an imported drawing by rules: layer, colour or name to operation"
+    )
+
+    def why_not(self) -> str:
+        """Return why there is no drawing to make a job of."""
+        no_panel = missing_packages.why_not() or targets.why_no_view() or targets.why_no_panel()
+        return no_panel or ("" if targets.imported_drawing() is not None else tr("Import a drawing first"))
+
+    def run(self) -> None:
+        """Open the panel of the selected drawing, or of the document's last one."""
+        from CNCStepper.workbench.templates.panel import open_template_panel
+
+        open_template_panel(targets.imported_drawing())
+
+
 def _group(document: Any, path: str) -> Any:
     from CNCStepper.workbench import api
 
