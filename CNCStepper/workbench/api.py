@@ -54,7 +54,6 @@ __all__ = [
     "add_slices",
     "add_text",
     "add_tool",
-    "apply_template",
     "chart_tool",
     "edit",
     "edit_program",
@@ -206,21 +205,6 @@ def import_drawing(document: Any, path: str | Path, **values: Any) -> Any:
         raise
     obj.Label = Path(path).stem
     return obj
-
-
-def apply_template(drawing: Any, template: str | Path, job: Any = None) -> Any:
-    """Return the job that a template makes of an imported drawing: a new one, or `job` with other operations and tools.
-
-    Its program is that of `cncstepper job DRAWING --template TEMPLATE`, byte for byte, where both have one title.
-    Raises JobError for a template that is none, and for a drawing that it makes no job of.
-    """
-    packages.require()
-    from CNCStepper.machine.files.toml_reader import read_toml
-    from CNCStepper.workbench.document.template_jobs import answer_now, made
-    from CNCStepper.workbench.features.drawings.drawing import path_of
-
-    path = Path(template).absolute()
-    return made(drawing, answer_now(drawing, read_toml(path), path, True), job, path_of(drawing).stem)
 
 
 def reload_drawing(obj: Any) -> None:

@@ -2991,6 +2991,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A line for each, as in job files: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3191,6 +3195,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a rule after the marked one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3351,11 +3359,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>As in the file; * is any text, ; divides several</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>As many as can be made at most, in Hz</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>As people call the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As the machine's cut charts name it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3635,6 +3651,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Columns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3879,7 +3899,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Delete</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Delete a point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Delete the marked rule</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4287,6 +4315,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Filled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4543,6 +4575,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Further values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>F{0} in/min</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4648,6 +4684,10 @@
         </message>
         <message>
             <source>Grey values are from the chart; typed values replace them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Group</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5107,6 +5147,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Import a drawing first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5128,6 +5172,10 @@
         </message>
         <message>
             <source>In machine coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In mm from the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5196,6 +5244,10 @@
         </message>
         <message>
             <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its name, which is the operation's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5312,6 +5364,10 @@
         </message>
         <message>
             <source>Later</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Layer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5563,6 +5619,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Making the job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5580,6 +5640,10 @@
         </message>
         <message>
             <source>Marks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marks of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5695,6 +5759,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Move the marked rule after the one below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move the marked rule before the one above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Moved by</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5748,6 +5820,10 @@
         </message>
         <message>
             <source>New program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New, with the tools of the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5895,6 +5971,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the stock around the drawing, in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the stock, in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5931,6 +6015,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>One of the template's tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>One step back</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5960,6 +6048,10 @@
         </message>
         <message>
             <source>Open pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open template</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6659,6 +6751,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Rule</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rule {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rules</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6692,6 +6792,14 @@
         </message>
         <message>
             <source>Save program as…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save these rules as a template of the shop</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7183,6 +7291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the template of a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taken out, drawn twice</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7191,11 +7303,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Takes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Templates ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7364,6 +7496,10 @@
         </message>
         <message>
             <source>The first line that is not certainly cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The first rule that takes a contour has it; operations come in this order</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7656,6 +7792,10 @@
         </message>
         <message>
             <source>The retract along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rule with the sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8135,6 +8275,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What becomes of the contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What becomes one object</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8220,6 +8364,14 @@
         </message>
         <message>
             <source>Whether inner corners are opened, so that a square corner fits in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether it takes closed contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether it takes contours that the file fills</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8567,6 +8719,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bounded engagement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8887,6 +9043,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leads the program elsewhere</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8896,6 +9056,10 @@
         </message>
         <message>
             <source>left</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>left out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8932,6 +9096,10 @@
         </message>
         <message>
             <source>make room in the folder for temporary files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>marks of a sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8999,11 +9167,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no errors</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no rule</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9020,6 +9196,10 @@
         </message>
         <message>
             <source>none yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9383,6 +9563,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the only one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9404,6 +9588,10 @@
         </message>
         <message>
             <source>this line is not run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>through the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9455,6 +9643,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>yes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>yours</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9476,6 +9668,10 @@
         </message>
         <message>
             <source>{0} (edited)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} (example)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9651,6 +9847,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}: its operations are replaced</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9695,6 +9895,10 @@
         </message>
         <message>
             <source>'cncstepper drawing' prints its layers and colours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is no number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17910,6 +18114,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the further values cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20982,6 +21190,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a line for each: stepdown_mm = 2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22687,6 +22899,17 @@
         </message>
         <message>
             <source>Slice a solid…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Template</name>
+        <message>
+            <source>Makes a job of an imported drawing by rules: layer, colour or name to operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template…</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

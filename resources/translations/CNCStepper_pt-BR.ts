@@ -2991,6 +2991,10 @@
             <translation>Potência do laser que sobe depois da perfuração</translation>
         </message>
         <message>
+            <source>A line for each, as in job files: {0}</source>
+            <translation>Uma linha para cada, como nos arquivos de trabalho: {0}</translation>
+        </message>
+        <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
             <translation>Uma linha para o controlador, enviada com Enter. As setas trazem de volta as linhas anteriores.</translation>
         </message>
@@ -3191,6 +3195,10 @@
             <translation>Adicionar</translation>
         </message>
         <message>
+            <source>Add a rule after the marked one</source>
+            <translation>Acrescenta uma regra depois da marcada</translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
             <translation>Adiciona uma ferramenta a este trabalho</translation>
         </message>
@@ -3351,12 +3359,20 @@
             <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
+            <source>As in the file; * is any text, ; divides several</source>
+            <translation>Como no arquivo; * é qualquer texto, ; separa vários</translation>
+        </message>
+        <message>
             <source>As many as can be made at most, in Hz</source>
             <translation>Quantos podem ser gerados no máximo, em Hz</translation>
         </message>
         <message>
             <source>As people call the machine</source>
             <translation>Como as pessoas chamam a máquina</translation>
+        </message>
+        <message>
+            <source>As the machine's cut charts name it</source>
+            <translation>Como as tabelas de corte da máquina o chamam</translation>
         </message>
         <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
@@ -3635,6 +3651,10 @@
             <translation>Linhas fechadas em volta do que é faceado; sem elas, o bloco inteiro</translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation>Cor</translation>
+        </message>
+        <message>
             <source>Columns</source>
             <translation>Colunas</translation>
         </message>
@@ -3879,8 +3899,16 @@
             <translation>Graus, anti-horário</translation>
         </message>
         <message>
+            <source>Delete</source>
+            <translation>Excluir</translation>
+        </message>
+        <message>
             <source>Delete a point</source>
             <translation>Excluir um ponto</translation>
+        </message>
+        <message>
+            <source>Delete the marked rule</source>
+            <translation>Exclui a regra marcada</translation>
         </message>
         <message>
             <source>Delete the marked tool</source>
@@ -4287,6 +4315,10 @@
             <translation>Arquivo</translation>
         </message>
         <message>
+            <source>Filled</source>
+            <translation>Preenchido</translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation>Localizar</translation>
         </message>
@@ -4543,6 +4575,10 @@
             <translation>Passos inteiros por volta</translation>
         </message>
         <message>
+            <source>Further values</source>
+            <translation>Outros valores</translation>
+        </message>
+        <message>
             <source>F{0} in/min</source>
             <translation>F{0} pol/min</translation>
         </message>
@@ -4649,6 +4685,10 @@
         <message>
             <source>Grey values are from the chart; typed values replace them</source>
             <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
+        </message>
+        <message>
+            <source>Group</source>
+            <translation>Grupo</translation>
         </message>
         <message>
             <source>Gusset</source>
@@ -5107,6 +5147,10 @@
             <translation>Pronta</translation>
         </message>
         <message>
+            <source>Import a drawing first</source>
+            <translation>Primeiro importe um desenho</translation>
+        </message>
+        <message>
             <source>Import drawing</source>
             <translation>Importar desenho</translation>
         </message>
@@ -5129,6 +5173,10 @@
         <message>
             <source>In machine coordinates</source>
             <translation>Em coordenadas da máquina</translation>
+        </message>
+        <message>
+            <source>In mm from the top of the stock</source>
+            <translation>Em mm a partir do topo do material bruto</translation>
         </message>
         <message>
             <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
@@ -5197,6 +5245,10 @@
         <message>
             <source>Its name in job files</source>
             <translation>Seu nome nos arquivos de trabalho</translation>
+        </message>
+        <message>
+            <source>Its name, which is the operation's</source>
+            <translation>O nome dela, que é o da operação</translation>
         </message>
         <message>
             <source>Jerk</source>
@@ -5313,6 +5365,10 @@
         <message>
             <source>Later</source>
             <translation>Depois</translation>
+        </message>
+        <message>
+            <source>Layer</source>
+            <translation>Camada</translation>
         </message>
         <message>
             <source>Lead-in</source>
@@ -5563,6 +5619,10 @@
             <translation>Faz desta posição o zero-peça do eixo.</translation>
         </message>
         <message>
+            <source>Making the job…</source>
+            <translation>Fazendo o trabalho…</translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation>Margem</translation>
         </message>
@@ -5581,6 +5641,10 @@
         <message>
             <source>Marks</source>
             <translation>Marcações</translation>
+        </message>
+        <message>
+            <source>Marks of</source>
+            <translation>Marcas de</translation>
         </message>
         <message>
             <source>Material</source>
@@ -5695,6 +5759,14 @@
             <translation>Move a máquina neste sentido.</translation>
         </message>
         <message>
+            <source>Move the marked rule after the one below</source>
+            <translation>Põe a regra marcada depois da de baixo</translation>
+        </message>
+        <message>
+            <source>Move the marked rule before the one above</source>
+            <translation>Põe a regra marcada antes da de cima</translation>
+        </message>
+        <message>
             <source>Moved by</source>
             <translation>Acionado por</translation>
         </message>
@@ -5749,6 +5821,10 @@
         <message>
             <source>New program</source>
             <translation>Programa novo</translation>
+        </message>
+        <message>
+            <source>New, with the tools of the job</source>
+            <translation>Novo, com as ferramentas do trabalho</translation>
         </message>
         <message>
             <source>New…</source>
@@ -5895,6 +5971,14 @@
             <translation>Das chapas</translation>
         </message>
         <message>
+            <source>Of the stock around the drawing, in mm</source>
+            <translation>Do material bruto em volta do desenho, em mm</translation>
+        </message>
+        <message>
+            <source>Of the stock, in mm</source>
+            <translation>Do material bruto, em mm</translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
         </message>
@@ -5931,6 +6015,10 @@
             <translation>Um furo em cada ponto</translation>
         </message>
         <message>
+            <source>One of the template's tools</source>
+            <translation>Uma das ferramentas do modelo</translation>
+        </message>
+        <message>
             <source>One step back</source>
             <translation>Um passo atrás</translation>
         </message>
@@ -5961,6 +6049,10 @@
         <message>
             <source>Open pulse letters</source>
             <translation>Abrir letras de pulso</translation>
+        </message>
+        <message>
+            <source>Open template</source>
+            <translation>Abrir modelo</translation>
         </message>
         <message>
             <source>Open the 3D view of the document first</source>
@@ -6659,6 +6751,14 @@
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Rule</source>
+            <translation>Regra</translation>
+        </message>
+        <message>
+            <source>Rule {0}</source>
+            <translation>Regra {0}</translation>
+        </message>
+        <message>
             <source>Rules</source>
             <translation>Regras</translation>
         </message>
@@ -6693,6 +6793,14 @@
         <message>
             <source>Save program as…</source>
             <translation>Salvar programa como…</translation>
+        </message>
+        <message>
+            <source>Save template</source>
+            <translation>Salvar modelo</translation>
+        </message>
+        <message>
+            <source>Save these rules as a template of the shop</source>
+            <translation>Salva estas regras como um modelo da oficina</translation>
         </message>
         <message>
             <source>Saved {0}</source>
@@ -7183,6 +7291,10 @@
             <translation>Usa como grampos os sólidos selecionados</translation>
         </message>
         <message>
+            <source>Take the template of a file</source>
+            <translation>Usa o modelo de um arquivo</translation>
+        </message>
+        <message>
             <source>Taken out, drawn twice</source>
             <translation>Retirado, desenhado duas vezes</translation>
         </message>
@@ -7191,12 +7303,32 @@
             <translation>Retirado, minúsculo</translation>
         </message>
         <message>
+            <source>Takes</source>
+            <translation>Pega</translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation>Conicidade</translation>
         </message>
         <message>
             <source>Teeth</source>
             <translation>Dentes</translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation>Modelo</translation>
+        </message>
+        <message>
+            <source>Template: {0}</source>
+            <translation>Modelo: {0}</translation>
+        </message>
+        <message>
+            <source>Templates ({0})</source>
+            <translation>Modelos ({0})</translation>
+        </message>
+        <message>
+            <source>Template…</source>
+            <translation>Modelo…</translation>
         </message>
         <message>
             <source>Text</source>
@@ -7365,6 +7497,10 @@
         <message>
             <source>The first line that is not certainly cut</source>
             <translation>A primeira linha que não está certamente cortada</translation>
+        </message>
+        <message>
+            <source>The first rule that takes a contour has it; operations come in this order</source>
+            <translation>A primeira regra que pega um contorno fica com ele; as operações vêm nesta ordem</translation>
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
@@ -7657,6 +7793,10 @@
         <message>
             <source>The retract along the cut is being checked…</source>
             <translation>O caminho ao longo do corte está sendo verificado…</translation>
+        </message>
+        <message>
+            <source>The rule with the sheet cut</source>
+            <translation>A regra com o corte de chapa</translation>
         </message>
         <message>
             <source>The section of a beam, about the zero.</source>
@@ -8135,6 +8275,10 @@
             <translation>Jato de água</translation>
         </message>
         <message>
+            <source>What becomes of the contours</source>
+            <translation>O que se faz com os contornos</translation>
+        </message>
+        <message>
             <source>What becomes one object</source>
             <translation>O que vira um objeto</translation>
         </message>
@@ -8221,6 +8365,14 @@
         <message>
             <source>Whether inner corners are opened, so that a square corner fits in</source>
             <translation>Se os cantos internos são abertos para que um canto vivo caiba</translation>
+        </message>
+        <message>
+            <source>Whether it takes closed contours</source>
+            <translation>Se pega contornos fechados</translation>
+        </message>
+        <message>
+            <source>Whether it takes contours that the file fills</source>
+            <translation>Se pega contornos que o arquivo preenche</translation>
         </message>
         <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
@@ -8567,6 +8719,10 @@
             <translation>em círculo</translation>
         </message>
         <message>
+            <source>both</source>
+            <translation>ambos</translation>
+        </message>
+        <message>
             <source>bounded engagement</source>
             <translation>engajamento limitado</translation>
         </message>
@@ -8887,6 +9043,10 @@
             <translation>jato (água, plasma, laser)</translation>
         </message>
         <message>
+            <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
+            <translation>camada '{0}' {1}: {2} fechados, {3} abertos, {4} mm</translation>
+        </message>
+        <message>
             <source>leads the program elsewhere</source>
             <translation>leva o programa a outro lugar</translation>
         </message>
@@ -8897,6 +9057,10 @@
         <message>
             <source>left</source>
             <translation>esquerda</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>omitidas</translation>
         </message>
         <message>
             <source>lengths are inches</source>
@@ -8933,6 +9097,10 @@
         <message>
             <source>make room in the folder for temporary files</source>
             <translation>libere espaço na pasta de arquivos temporários</translation>
+        </message>
+        <message>
+            <source>marks of a sheet cut</source>
+            <translation>marcas de um corte de chapa</translation>
         </message>
         <message>
             <source>middle</source>
@@ -8999,12 +9167,20 @@
             <translation>fio de níquel-cromo, 0,4 mm</translation>
         </message>
         <message>
+            <source>no</source>
+            <translation>não</translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation>sem compensação da ferramenta</translation>
         </message>
         <message>
             <source>no errors</source>
             <translation>nenhum erro</translation>
+        </message>
+        <message>
+            <source>no rule</source>
+            <translation>nenhuma regra</translation>
         </message>
         <message>
             <source>no switch</source>
@@ -9021,6 +9197,10 @@
         <message>
             <source>none yet</source>
             <translation>nenhum ainda</translation>
+        </message>
+        <message>
+            <source>not cut</source>
+            <translation>sem corte</translation>
         </message>
         <message>
             <source>not given</source>
@@ -9383,6 +9563,10 @@
             <translation>a que acompanha o programa</translation>
         </message>
         <message>
+            <source>the only one</source>
+            <translation>a única</translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation>a ponta</translation>
         </message>
@@ -9405,6 +9589,10 @@
         <message>
             <source>this line is not run</source>
             <translation>esta linha não é executada</translation>
+        </message>
+        <message>
+            <source>through the stock</source>
+            <translation>atravessa o material</translation>
         </message>
         <message>
             <source>time, number or turns, as the code has it</source>
@@ -9455,6 +9643,10 @@
             <translation>escreva os pontos assim: 0 1.2; 300 1.0</translation>
         </message>
         <message>
+            <source>yes</source>
+            <translation>sim</translation>
+        </message>
+        <message>
             <source>yours</source>
             <translation>seu</translation>
         </message>
@@ -9477,6 +9669,10 @@
         <message>
             <source>{0} (edited)</source>
             <translation>{0} (editado)</translation>
+        </message>
+        <message>
+            <source>{0} (example)</source>
+            <translation>{0} (exemplo)</translation>
         </message>
         <message>
             <source>{0} (single lines)</source>
@@ -9651,6 +9847,10 @@
             <translation>{0}: seu arquivo não está mais lá; o que foi lido fica</translation>
         </message>
         <message>
+            <source>{0}: its operations are replaced</source>
+            <translation>{0}: as operações dele são trocadas</translation>
+        </message>
+        <message>
             <source>{0}: {1}</source>
             <translation>{0}: {1}</translation>
         </message>
@@ -9696,6 +9896,10 @@
         <message>
             <source>'cncstepper drawing' prints its layers and colours</source>
             <translation>'cncstepper drawing' mostra as camadas e cores dele</translation>
+        </message>
+        <message>
+            <source>'{0}' is no number</source>
+            <translation>'{0}' não é um número</translation>
         </message>
         <message>
             <source>'{axes}' names no axes</source>
@@ -17910,6 +18114,10 @@
             <translation>a aresta da frente da pastilha não alcança o perfil</translation>
         </message>
         <message>
+            <source>the further values cannot be read: {error}</source>
+            <translation>não é possível ler os outros valores: {error}</translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation>a grade tem furos demais</translation>
         </message>
@@ -20982,6 +21190,10 @@
             <translation>escreva antes uma linha G0</translation>
         </message>
         <message>
+            <source>write a line for each: stepdown_mm = 2</source>
+            <translation>escreva uma linha para cada: stepdown_mm = 2</translation>
+        </message>
+        <message>
             <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
             <translation>escreva uma linha como: T3 P3 D6.0 Z+41.5 ;6 mm end mill</translation>
         </message>
@@ -22688,6 +22900,17 @@
         <message>
             <source>Slice a solid…</source>
             <translation>Fatiar um sólido…</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Template</name>
+        <message>
+            <source>Makes a job of an imported drawing by rules: layer, colour or name to operation</source>
+            <translation>Faz um trabalho de um desenho importado por regras: de camada, cor ou nome para operação</translation>
+        </message>
+        <message>
+            <source>Template…</source>
+            <translation>Modelo…</translation>
         </message>
     </context>
     <context>

@@ -17,7 +17,7 @@ from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document.job_files import export_job
-from CNCStepper.workbench.document.template_jobs import new_template
+from CNCStepper.workbench.document.template_jobs import apply_template, new_template
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.templates.draft import texts_of
 
@@ -78,7 +78,7 @@ def plate(folder: Path) -> tuple[Path, Path]:
 def test_a_template_makes_the_program_of_the_command_line(document: Any, split: str, name: str, tmp_path: Path) -> None:
     path = Path(shutil.copy(SIGN, tmp_path / "sign.svg"))
     drawing = api.import_drawing(document, path, split=split)
-    job = api.apply_template(drawing, TEMPLATES / f"{name}.toml")
+    job = apply_template(drawing, TEMPLATES / f"{name}.toml")
     document.recompute()
     assert not any(map(problem_of, (*job.Tools, *job.Operations, job)))
     assert api.program_text(job) == program_of_command_line(path, TEMPLATES / f"{name}.toml")
@@ -87,7 +87,7 @@ def test_a_template_makes_the_program_of_the_command_line(document: Any, split: 
 def test_islands_holes_and_another_zero(document: Any, tmp_path: Path) -> None:
     path, template = plate(tmp_path)
     drawing = api.import_drawing(document, path)
-    job = api.apply_template(drawing, template)
+    job = apply_template(drawing, template)
     document.recompute()
     assert [each.Label for each in job.Operations] == ["furos", "pockets", "pockets in islands 1", "edge"]
     assert not any(map(problem_of, (*job.Tools, *job.Operations, job)))
@@ -100,7 +100,7 @@ def test_islands_holes_and_another_zero(document: Any, tmp_path: Path) -> None:
 def test_the_operations_follow_the_drawing_s_own_objects(document: Any, tmp_path: Path) -> None:
     path, template = plate(tmp_path)
     drawing = api.import_drawing(document, path)
-    job = api.apply_template(drawing, template)
+    job = apply_template(drawing, template)
     held = {each.ChainName for operation in (job.Operations[0], job.Operations[3]) for each, _ in operation.Drawings}
     assert held == {"first", "second", "edge"}
     path.write_text(PLATE.replace('r="4"', 'r="5"'), "utf-8")
@@ -116,7 +116,7 @@ def test_a_job_that_is_there_gets_other_operations_and_tools(document: Any, tmp_
     job.Label = path.stem
     api.add_tool(job)
     api.add_elliptical_pocket(job, depth_mm=2)
-    assert api.apply_template(drawing, template, job) == job
+    assert apply_template(drawing, template, job) == job
     document.recompute()
     assert len([each for each in document.Objects if proxy_type(each) == "CNCStepper_Tool"]) == 1
     assert api.program_text(job) == program_of_command_line(path, template)
@@ -130,14 +130,14 @@ def test_a_refusal_leaves_the_document_as_it_was(document: Any, tmp_path: Path) 
         RULES.replace('layer = "area"', 'layer = "none"').replace('side = "outside"', 'side = "x"'), "utf-8"
     )
     with pytest.raises(JobError, match="side"):
-        api.apply_template(drawing, template)
+        apply_template(drawing, template)
     assert [each.Name for each in document.Objects] == before
 
 
 def test_a_new_template_has_the_job_s_tools_and_a_rule_for_each_layer(document: Any, tmp_path: Path) -> None:
     path, template = plate(tmp_path)
     drawing = api.import_drawing(document, path, tolerance_mm=0.01)
-    job = api.apply_template(drawing, template)
+    job = apply_template(drawing, template)
     content = new_template(drawing, job)
     assert [texts_of(rule).layer for rule in content["rule"]] == ["cut", "area", "holes"]
     assert content["tool"][0]["number"] == 3 and content["machine"] == read_toml(template)["machine"]

@@ -58,11 +58,18 @@ def asked_of(drawing: Any, content: Content, path: Path, make: bool) -> Content:
     return {"file": str(path_of(drawing)), "path": str(path), "content": content, "make": make}
 
 
-def answer_now(drawing: Any, content: Content, path: Path, make: bool) -> Content:
-    """Return the answer at once, for scripts; raises JobError."""
-    from CNCStepper.job.templates.template_answer import template_answer
+def apply_template(drawing: Any, template: Path, job: Any = None) -> Any:
+    """Return the job that a template makes of an imported drawing: a new one, or `job` with other operations and tools.
 
-    return template_answer(asked_of(drawing, content, path, make))
+    Its program is that of `cncstepper job DRAWING --template TEMPLATE`, byte for byte, where both have one title.
+    Raises JobError for a template that is none, and for a drawing that it makes no job of.
+    """
+    from CNCStepper.job.templates.template_answer import template_answer
+    from CNCStepper.machine.files.toml_reader import read_toml
+
+    path = template.absolute()
+    answer = template_answer(asked_of(drawing, read_toml(path), path, True))
+    return made(drawing, answer, job, path_of(drawing).stem)
 
 
 def new_template(drawing: Any, job: Any) -> Content:
