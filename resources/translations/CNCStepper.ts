@@ -2903,6 +2903,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A click on a row with a place moves the view there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9732,6 +9736,10 @@
         </message>
         <message>
             <source>{0} is {1} now: save it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

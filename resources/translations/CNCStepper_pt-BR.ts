@@ -2903,6 +2903,10 @@
             <translation>Um círculo em torno do zero.</translation>
         </message>
         <message>
+            <source>A click on a row with a place moves the view there</source>
+            <translation>Um clique numa linha com um lugar leva a vista até lá</translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
             <translation>Um controlador já está conectado.</translation>
         </message>
@@ -9733,6 +9737,10 @@
         <message>
             <source>{0} is {1} now: save it.</source>
             <translation>{0} agora é {1}: salve.</translation>
+        </message>
+        <message>
+            <source>{0} job</source>
+            <translation>trabalho {0}</translation>
         </message>
         <message>
             <source>{0} lines change:</source>

@@ -16,7 +16,7 @@ from CNCStepper.job.templates.template import read_template
 from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.workbench import api
-from CNCStepper.workbench.document.job_files import export_job
+from CNCStepper.workbench.document.job_files import export_job, open_job
 from CNCStepper.workbench.document.template_jobs import apply_template, new_template
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.templates.draft import texts_of
@@ -48,7 +48,7 @@ title = "pockets"
 layer = "area"
 operation = { cycle = "pocket", tool = 3, depth_mm = 2, stepdown_mm = 1, stepover_mm = 1.2, offset_mm = [0.25, 0] }
 [[rule]]
-title = "edge"
+title = "borda"
 operation = { cycle = "contour", tool = 3, side = "outside", depth_mm = "through", stepdown_mm = 2 }
 """
 PLATE = """<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" viewBox="0 0 100 60">
@@ -59,10 +59,10 @@ PLATE = """<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="60mm" v
 <circle id="second" cx="20" cy="40.123" r="4"/></g></svg>"""
 
 
-def program_of_command_line(drawing: Path, template: Path) -> str:
+def program_of_command_line(drawing: Path, template: Path, title: str) -> str:
     job = job_of_drawing(read_template(template), drawing, drawing.with_suffix(".toml")).job
     machine = load_machine(job.machine)
-    ((_, text),) = program_texts(job.on(machine), machine, drawing.stem)
+    ((_, text),) = program_texts(job.on(machine), machine, title)
     return text
 
 
@@ -81,7 +81,7 @@ def test_a_template_makes_the_program_of_the_command_line(document: Any, split: 
     job = apply_template(drawing, TEMPLATES / f"{name}.toml")
     document.recompute()
     assert not any(map(problem_of, (*job.Tools, *job.Operations, job)))
-    assert api.program_text(job) == program_of_command_line(path, TEMPLATES / f"{name}.toml")
+    assert api.program_text(job) == program_of_command_line(path, TEMPLATES / f"{name}.toml", job.Label)
 
 
 def test_islands_holes_and_another_zero(document: Any, tmp_path: Path) -> None:
@@ -89,12 +89,13 @@ def test_islands_holes_and_another_zero(document: Any, tmp_path: Path) -> None:
     drawing = api.import_drawing(document, path)
     job = apply_template(drawing, template)
     document.recompute()
-    assert [each.Label for each in job.Operations] == ["furos", "pockets", "pockets in islands 1", "edge"]
+    assert [each.Label for each in job.Operations] == ["furos", "pockets", "pockets in islands 1", "borda"]
     assert not any(map(problem_of, (*job.Tools, *job.Operations, job)))
-    assert api.program_text(job) == program_of_command_line(path, template)
+    assert api.program_text(job) == program_of_command_line(path, template, job.Label)
     export_job(job, tmp_path / "out.toml")
-    again = api.program_text(job)
-    assert again == program_of_command_line(path, template)
+    again, _ = open_job(document, tmp_path / "out.toml")
+    document.recompute()
+    assert api.program_text(again) == program_of_command_line(path, template, again.Label)
 
 
 def test_the_operations_follow_the_drawing_s_own_objects(document: Any, tmp_path: Path) -> None:
@@ -106,20 +107,19 @@ def test_the_operations_follow_the_drawing_s_own_objects(document: Any, tmp_path
     path.write_text(PLATE.replace('r="4"', 'r="5"'), "utf-8")
     api.reload_drawing(drawing)
     document.recompute()
-    assert api.program_text(job) == program_of_command_line(path, template)
+    assert api.program_text(job) == program_of_command_line(path, template, job.Label)
 
 
 def test_a_job_that_is_there_gets_other_operations_and_tools(document: Any, tmp_path: Path) -> None:
     path, template = plate(tmp_path)
     drawing = api.import_drawing(document, path)
     job = api.new_job(document)
-    job.Label = path.stem
     api.add_tool(job)
     api.add_elliptical_pocket(job, depth_mm=2)
     assert apply_template(drawing, template, job) == job
     document.recompute()
     assert len([each for each in document.Objects if proxy_type(each) == "CNCStepper_Tool"]) == 1
-    assert api.program_text(job) == program_of_command_line(path, template)
+    assert api.program_text(job) == program_of_command_line(path, template, job.Label)
 
 
 def test_a_refusal_leaves_the_document_as_it_was(document: Any, tmp_path: Path) -> None:

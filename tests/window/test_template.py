@@ -65,10 +65,10 @@ def job_of(document: Any) -> Any:
     return next((obj for obj in document.Objects if proxy_type(obj) == "CNCStepper_Job"), None)
 
 
-def program_of_command_line(drawing: Path, template: Path) -> str:
+def program_of_command_line(drawing: Path, template: Path, title: str) -> str:
     job = job_of_drawing(read_template(template), drawing, drawing.with_suffix(".toml")).job
     machine = load_machine(job.machine)
-    ((_, text),) = program_texts(job.on(machine), machine, drawing.stem)
+    ((_, text),) = program_texts(job.on(machine), machine, title)
     return text
 
 
@@ -116,7 +116,7 @@ def test_rules_are_changed_saved_and_make_the_job(hand: Hand, language: str, tmp
     print(f"template: at most {watch.max_ms:.0f} ms")
     job = job_of(document)
     hand.wait(lambda: not problem_of(job) and "Touched" not in job.State, 60, "the program")
-    assert hand.main(api.program_text, job) == program_of_command_line(path, saved)
+    assert hand.main(api.program_text, job) == program_of_command_line(path, saved, job.Label)
     hand.shot(f"template-job-{language}")
     hand.undo()
     hand.wait(lambda: job_of(document) is None, 10, "the job to be undone")

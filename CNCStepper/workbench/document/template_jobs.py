@@ -17,6 +17,7 @@ from CNCStepper.workbench.document.job_files import begun, fill, replaced, with_
 from CNCStepper.workbench.drawings.exact_curves import all_kept
 from CNCStepper.workbench.features.base import edit
 from CNCStepper.workbench.features.drawings.drawing import form_of, path_of
+from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
     from CNCStepper.geometry.curve import Curve
@@ -69,7 +70,7 @@ def apply_template(drawing: Any, template: Path, job: Any = None) -> Any:
 
     path = template.absolute()
     answer = template_answer(asked_of(drawing, read_toml(path), path, True))
-    return made(drawing, answer, job, path_of(drawing).stem)
+    return made(drawing, answer, job)
 
 
 def new_template(drawing: Any, job: Any) -> Content:
@@ -101,7 +102,7 @@ def _reading(drawing: Any) -> Content:
     return {key: told[key] for key in ("tolerance_mm", "unit_mm", "by_colour", "mend", "trace") if key in told}
 
 
-def made(drawing: Any, answer: Content, job: Any, label: str) -> Any:
+def made(drawing: Any, answer: Content, job: Any) -> Any:
     """Return the job object of an answer: a job that is there, with other tools and operations, or a new one for None.
 
     Its work zero lies where the template's job file has it. Raises JobError for what FreeCAD has no objects for.
@@ -110,7 +111,7 @@ def made(drawing: Any, answer: Content, job: Any, label: str) -> Any:
 
     model = job_from_content(answer["job"])
     if job is None:
-        job = begun(drawing.Document, model, label)
+        job = begun(drawing.Document, model, tr("{0} job").format(path_of(drawing).stem))
     else:
         replaced(job, model)
     x_mm, y_mm = answer["offset_mm"]

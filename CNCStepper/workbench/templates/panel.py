@@ -283,7 +283,7 @@ class TemplatePanel:
         job = document.getObject(self.job.itemData(self.job.currentIndex())) if self.job.currentIndex() else None
         document.openTransaction(tr("Template"))
         try:
-            made(self.drawing, answer, job, path_of(self.drawing).stem)
+            made(self.drawing, answer, job)
             document.recompute()
         except CNCStepperError as error:
             document.abortTransaction()
