@@ -185,9 +185,9 @@ class TemplatePanel:
         self._refill(row)
         self._timer.start()
 
-    def _typed(self) -> None:
-        """Take what a person has typed, or say what is wrong with it."""
-        row = self.rules.row
+    def _typed(self) -> bool:
+        """Take what a person has typed, or say what is wrong with it; return whether all of it could be taken."""
+        row, before = self.rules.row, copy.deepcopy(self.draft.content)
         try:
             for key in STOCK:
                 self.draft.put_stock(key, self.stock[key].text())
@@ -196,14 +196,16 @@ class TemplatePanel:
                 self.draft.rules[row] = rule_of(self.rule.read(), self.draft.rules[row])
         except Refused as error:
             self._say(tr(error.sentence).format(*error.values))
-            return
+            return False
         except CNCStepperError as error:
             self._say(translated(error.sentence))
-            return
+            return False
+        if self.draft.content != before or self._answer is None:
+            self._answer = None
+            self._list(row)
+            self._timer.start()
         self._say("")
-        self._answer = None
-        self._list(row)
-        self._timer.start()
+        return True
 
     def _refill(self, row: int) -> None:
         self._list(row)
@@ -266,8 +268,7 @@ class TemplatePanel:
     @guarded
     def accept(self) -> bool:
         """Make the job, and close when it is made; stay open where it cannot be. FreeCAD calls this for OK."""
-        self._typed()
-        if not self.problem.text() or self._question is None:
+        if self._typed():
             self._begin(True, self._make)
         return False
 

@@ -53,7 +53,9 @@ class RuleForm(QtGui.QWidget):
         self.values.setAccessibleName(tr("Further values"))
         self.values.setFixedHeight((LINES_SEEN + 1) * self.fontMetrics().lineSpacing())
         self.values.textChanged.connect(guarded(self._touched))
-        self._form.addRow(tr("Further values"), self.values)
+        self.values_label = QtGui.QLabel(tr("Further values"), self)
+        for widget in (self.values_label, self.values):
+            self._form.addRow(widget)
         self._showing = False
 
     def show_rule(self, texts: RuleTexts, tools: Sequence[Content], sheet_cuts: Sequence[str]) -> None:
@@ -94,7 +96,7 @@ class RuleForm(QtGui.QWidget):
         drawn = {key.says for key in SHAPE_KEYS.get(does, ())} | {key.field for key in SHAPE_KEYS.get(does, ())}
         keys = [key for key in cycle_class(does).model_fields if key not in {*APART, *drawn}] if cuts else []
         self.values.setToolTip(tr("A line for each, as in job files: {0}").format(", ".join(keys)))
-        for widget in (self.tool, self.values):
+        for widget in (self.tool, self.values_label, self.values):
             self._show_row(widget, cuts)
         has_depth = cuts and DEPTH in cycle_class(does).model_fields
         self._show_row(self.depth, has_depth)
@@ -104,7 +106,8 @@ class RuleForm(QtGui.QWidget):
 
     def _show_row(self, widget: Any, visible: bool) -> None:
         widget.setVisible(visible)
-        self._form.labelForField(widget).setVisible(visible)
+        if (label := self._form.labelForField(widget)) is not None:
+            label.setVisible(visible)
 
     def _touched(self, *_: Any) -> None:
         if not self._showing:
@@ -118,6 +121,7 @@ class RuleForm(QtGui.QWidget):
 
     def _choice(self, key: str, label: str, tip: str, choices: Sequence[tuple[Any, str]]) -> Any:
         box = QtGui.QComboBox(self)
+        box.setSizeAdjustPolicy(QtGui.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         for value, words in choices:
             box.addItem(words, value)
         box.activated.connect(guarded(self._touched))

@@ -46,12 +46,14 @@ class RuleList(QtGui.QWidget):
         self.tree.setAccessibleName(tr("Rules"))
         self.tree.setToolTip(tr("The first rule that takes a contour has it; operations come in this order"))
         self.tree.setRootIsDecorated(False)
-        self.tree.setHeaderLabels([tr("Rule"), tr("Takes"), tr("Operation"), tr("Contours")])
+        self.tree.setHeaderLabels([tr("Rule"), tr("Contours"), tr("Operation"), tr("Takes")])
         self.tree.setMinimumHeight((ROWS_SEEN + 2) * self.fontMetrics().lineSpacing())
         self.tree.currentItemChanged.connect(guarded(lambda *_: self._tell()))
         texts = (
             ("rule_add", tr("Add"), tr("Add a rule after the marked one"), lambda: act("add")),
             ("rule_delete", tr("Delete"), tr("Delete the marked rule"), lambda: act("delete")),
+        )
+        order = (
             ("rule_up", tr("Earlier"), tr("Move the marked rule before the one above"), lambda: act("up")),
             ("rule_down", tr("Later"), tr("Move the marked rule after the one below"), lambda: act("down")),
         )
@@ -59,7 +61,8 @@ class RuleList(QtGui.QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(3)
         column.addWidget(self.tree)
-        column.addWidget(button_row(texts, self))
+        for row in (texts, order):
+            column.addWidget(button_row(row, self))
 
     @property
     def row(self) -> int:
@@ -75,9 +78,9 @@ class RuleList(QtGui.QWidget):
             count = str(counts[number]) if counts is not None else "…"
             takes = takes_words(rule) or tr("all")
             name = told.title or tr("Rule {0}").format(number + 1)
-            self.tree.addTopLevelItem(_item(name, takes, does_words(told.does), count))
+            self.tree.addTopLevelItem(_item(name, count, does_words(told.does), takes))
         if counts is not None:
-            last = _item(tr("no rule"), "", tr("not cut"), str(untaken))
+            last = _item(tr("no rule"), str(untaken), tr("not cut"), "")
             for column in range(4 if untaken else 0):
                 last.setForeground(column, QtGui.QColor(WARNING_COLOUR))
             self.tree.addTopLevelItem(last)
@@ -94,5 +97,5 @@ def _item(*texts: str) -> Any:
     item = QtGui.QTreeWidgetItem(list(texts))
     for column, text in enumerate(texts):
         item.setToolTip(column, text)
-    item.setTextAlignment(3, QtCore.Qt.AlignmentFlag.AlignRight)
+    item.setTextAlignment(1, QtCore.Qt.AlignmentFlag.AlignRight)
     return item
