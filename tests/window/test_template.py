@@ -26,7 +26,7 @@ SIGN = ROOT / "examples" / "drawings" / "sign.svg"
 LANGUAGES = {"en": "English", "pt": "pt-BR"}
 WORDS = {
     "en": ("sign (example)", "Pocket", "no rule", "flat end mill"),
-    "pt": ("sign (exemplo)", "Bolsão", "nenhuma regra", "fresa de topo"),
+    "pt": ("sign (exemplo)", "Bolsão", "nenhuma regra", "fresa de topo reto"),
 }
 RULES, PANEL = "CNCStepper_Panel_rules", "CNCStepper_Panel_rule_"
 VALUES = "stepdown_mm = 1.5\nstepover_mm = 1.2"
@@ -61,6 +61,12 @@ def put_values(text: str) -> None:
     """Put lines into the box: a test's keyboard types no line breaks there."""
     boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QPlainTextEdit)
     next(box for box in boxes if box.objectName() == f"{PANEL}values").setPlainText(text)
+
+
+def cut_by_px() -> int:
+    """Return by how much the panel is wider than what FreeCAD shows of it."""
+    form = FreeCADGui.getMainWindow().findChild(QtGui.QWidget, "CNCStepper_Panel_Template")
+    return int(form.width() - form.visibleRegion().boundingRect().width())
 
 
 def job_of(document: Any) -> Any:
@@ -104,6 +110,7 @@ def test_rules_are_changed_saved_and_make_the_job(hand: Hand, language: str, tmp
     hand.click("CNCStepper_Panel_rule_up")
     hand.wait(lambda: rows()[0][0] == "bolsa" and rows()[-1][1] == "0", 20, "all contours to be taken")
     hand.shot(f"template-changed-{language}")
+    assert hand.main(cut_by_px) == 0
     hand.fill("CNCStepper_Panel_template_thickness", "10")
     hand.click("CNCStepper_Panel_template_save")
     hand.find("CNCStepper_Template_file")

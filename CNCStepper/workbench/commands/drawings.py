@@ -28,18 +28,26 @@ class ImportDrawing(Command):
 
     def run(self) -> None:
         """Ask for the file, and open the panel of what is read from it."""
+        from CNCStepper.workbench.calculation.preloading import DRAWINGS, begin_to_load
         from CNCStepper.workbench.document.drawing_files import ask_file
 
+        begin_to_load(DRAWINGS)
         document = targets.document()
         folder = Path(document.FileName).parent if document is not None and document.FileName else Path.home()
         ask_file(str(folder), self.take)
 
     def take(self, path: str) -> None:
         """Make the group of a file and open its panel, which reads it."""
+        from CNCStepper.workbench.calculation.preloading import DRAWINGS, when_loaded
+
+        when_loaded(DRAWINGS, lambda: self._create(path))
+
+    def _create(self, path: str) -> None:
         import FreeCAD
 
-        document = targets.document() or FreeCAD.newDocument()
-        create(document, self.text(), lambda: _group(document, path))
+        if not targets.why_no_panel():
+            document = targets.document() or FreeCAD.newDocument()
+            create(document, self.text(), lambda: _group(document, path))
 
 
 class Template(Command):
@@ -58,9 +66,15 @@ class Template(Command):
 
     def run(self) -> None:
         """Open the panel of the selected drawing, or of the document's last one."""
+        from CNCStepper.workbench.calculation.preloading import TEMPLATES, when_loaded
+
+        when_loaded(TEMPLATES, self._open)
+
+    def _open(self) -> None:
         from CNCStepper.workbench.templates.panel import open_template_panel
 
-        open_template_panel(targets.imported_drawing())
+        if not self.why_not():
+            open_template_panel(targets.imported_drawing())
 
 
 def _group(document: Any, path: str) -> Any:

@@ -95,7 +95,7 @@ class TemplatePanel:
         )
         head, foot = QtGui.QFormLayout(), QtGui.QFormLayout()
         head.addRow(tr("Template"), self.template)
-        head.addRow("", button_row(files, self.form))
+        head.addRow(button_row(files, self.form))
         for line in self.stock.values():
             head.addRow(line.accessibleName(), line)
         foot.addRow(tr("Job"), self.job)

@@ -32,6 +32,7 @@ class RuleForm(QtGui.QWidget):
         self._form = QtGui.QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
         self._form.setVerticalSpacing(3)
+        self._form.setHorizontalSpacing(4)
         self.lines = {"title": self._line("title", tr("Rule"), tr("Its name, which is the operation's"))}
         tip = tr("As in the file; * is any text, ; divides several")
         for key, label in zip(PATTERNS, (tr("Layer"), tr("Colour"), tr("Name"), tr("Group")), strict=True):
@@ -47,7 +48,7 @@ class RuleForm(QtGui.QWidget):
         self.through = QtGui.QCheckBox(tr("through the stock"), self)
         self.through.setObjectName(f"{NAME}_rule_through")
         self.through.clicked.connect(guarded(self._touched))
-        self._form.addRow("", self.through)
+        self._form.addRow(self.through)
         self.values = QtGui.QPlainTextEdit(self)
         self.values.setObjectName(f"{NAME}_rule_values")
         self.values.setAccessibleName(tr("Further values"))

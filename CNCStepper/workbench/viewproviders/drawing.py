@@ -34,6 +34,8 @@ class Drawing(ViewProvider):
         ]
 
     def _template(self) -> None:
-        from CNCStepper.workbench.templates.panel import open_template_panel
+        import FreeCADGui
 
-        open_template_panel(self.obj)
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(self.obj)
+        FreeCADGui.runCommand("CNCStepper_Template")
