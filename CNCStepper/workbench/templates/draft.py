@@ -57,15 +57,17 @@ def texts_of(rule: Content) -> RuleTexts:
     operation = dict(rule.get("operation") or {})
     does = str(operation.pop("cycle", "")) or (MARKS if rule.get("marks_for") else IGNORE)
     tool, depth = int(operation.pop("tool", 0)), operation.pop(DEPTH, "")
+    patterns = {key: _patterns_text(rule.get(key, ())) for key in PATTERNS}
+    flags = {key: _flag_text(rule.get(key)) for key in FLAGS}
     return RuleTexts(
-        str(rule.get("title", "")),
-        *(_patterns_text(rule.get(key, ())) for key in PATTERNS),
-        *(_flag_text(rule.get(key)) for key in FLAGS),
-        does,
-        str(rule.get("marks_for", "")),
-        tool,
-        depth if isinstance(depth, str) else f"{depth:.10g}",
-        "\n".join(f"{key_text(key)} = {value_text(value)}" for key, value in operation.items()),
+        title=str(rule.get("title", "")),
+        does=does,
+        marks_for=str(rule.get("marks_for", "")),
+        tool=tool,
+        depth=depth if isinstance(depth, str) else f"{depth:.10g}",
+        values="\n".join(f"{key_text(key)} = {value_text(value)}" for key, value in operation.items()),
+        **patterns,
+        **flags,
     )
 
 

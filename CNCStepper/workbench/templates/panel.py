@@ -23,6 +23,7 @@ from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.document.template_jobs import TemplateQuestion, asked_of, made, new_template
+from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.drawings.drawing import path_of
 from CNCStepper.workbench.panels.background_panel import button_row
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WorkNote, note_label
@@ -69,9 +70,10 @@ class TemplatePanel:
         self.form.setWindowTitle(tr("Template: {0}").format(self.drawing.Label))
         self.template = self._box("template", tr("Template"), self._templates())
         self.template.activated.connect(guarded(lambda *_: self._load()))
-        jobs = [(job.Name, tr("{0}: its operations are replaced").format(job.Label)) for job in targets.jobs()]
+        milled = [job for job in targets.jobs() if proxy_type(job) == JOB]
+        jobs = [(job.Name, tr("{0}: its operations are replaced").format(job.Label)) for job in milled]
         self.job = self._box("template_job", tr("Job"), [(NEW, tr("New job")), *jobs])
-        bare = next((job.Name for job in targets.jobs() if not job.Operations), NEW)
+        bare = next((job.Name for job in milled if not job.Operations), NEW)
         self.job.setCurrentIndex(self.job.findData(bare))
         self.stock = {
             "thickness_mm": self._line("template_thickness", tr("Thickness"), tr("Of the stock, in mm")),
@@ -125,7 +127,7 @@ class TemplatePanel:
     def _templates(self) -> list[tuple[str, str]]:
         """Return the templates to choose from: the shop's, the examples, and a new one where a job gives its tools."""
         examples = sorted((packages.ROOT / "examples" / "templates").glob(FILTERS))
-        new = [(NEW, tr("New, with the tools of the job"))] if targets.job() is not None else []
+        new = [(NEW, tr("New, with the tools of the job"))] if _job() is not None else []
         shop = [(str(path), path.stem) for path in template_paths()]
         return [*shop, *new, *((str(path), tr("{0} (example)").format(path.stem)) for path in examples)]
 
@@ -140,7 +142,7 @@ class TemplatePanel:
             self._say(translated(error.sentence))
 
     def _new(self) -> Draft:
-        return Draft(new_template(self.drawing, targets.job()), path_of(self.drawing).with_suffix(SUFFIX))
+        return Draft(new_template(self.drawing, _job()), path_of(self.drawing).with_suffix(SUFFIX))
 
     def _take(self, draft: Draft) -> None:
         self.draft, self._answer = draft, None
@@ -336,6 +338,12 @@ class TemplatePanel:
         dialog.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.fileSelected.connect(guarded(take))
         return dialog
+
+
+def _job() -> Any:
+    """Return the job of the document that is meant, None for one of a lathe."""
+    job = targets.job()
+    return job if job is not None and proxy_type(job) == JOB else None
 
 
 def _count_words(row: list[Any]) -> str:
