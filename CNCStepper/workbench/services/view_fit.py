@@ -3,15 +3,20 @@
 
 from __future__ import annotations
 
+NEAR_MM = 20.0  # what is seen around a place, from the lower to the upper side of the view
+
 
 def show_all() -> None:
-    """Let the active 3D view show all there is: what is new is seldom where the camera looks."""
-    import FreeCADGui
+    """Let the active 3D view show all there is: what is new is seldom where the camera looks.
 
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    Without a window there is none.
+    """
+    import FreeCAD
 
+    if FreeCAD.GuiUp:
+        import FreeCADGui
 
-NEAR_MM = 20.0  # what is seen around a place, from the lower to the upper side of the view
+        FreeCADGui.SendMsgToActiveView("ViewFit")
 
 
 def show_place(x_mm: float, y_mm: float) -> None:
