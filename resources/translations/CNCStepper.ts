@@ -4659,6 +4659,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Diameter at Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Diameter cut away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5475,6 +5479,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Half</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Half the width along its second axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5876,6 +5884,10 @@
         </message>
         <message>
             <source>How many; 0: those of the designation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the part is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8975,6 +8987,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Three quarters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Threshold</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9259,7 +9275,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
+            <source>What is one step, on or back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9300,6 +9316,10 @@
         </message>
         <message>
             <source>What was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where along the axis the diameter is read; a click on the part sets it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9408,6 +9428,10 @@
         </message>
         <message>
             <source>While pressed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whole part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9855,6 +9879,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>click on the part, or type a Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>climb</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10231,6 +10259,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no material there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no switch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10472,6 +10504,10 @@
         </message>
         <message>
             <source>rapid: straight, as fast as the machine can</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raw surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10928,6 +10964,14 @@
         </message>
         <message>
             <source>… and {0} more lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}, bore ⌀ {1}</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
