@@ -83,7 +83,7 @@ class ManualNest:
             return Text("part '{name}' lies on a sheet of other stock", name=item.name)
         if not lies_within(polygon, sheet.outline, self.spacing.margin_mm):
             return Text("part '{name}' lies beyond the sheet '{sheet}'", name=item.name, sheet=sheet.name)
-        for number in self._on(placement.sheet):
+        for number in self._near(placement.sheet, polygon):
             if number != besides and conflict(polygon, self._polygons[number], self.spacing.gap_mm):
                 other = self.items[self.parts[number].placement.item].name
                 return Text("parts '{one}' and '{other}' are too close", one=item.name, other=other)
@@ -170,6 +170,16 @@ class ManualNest:
 
     def _on(self, sheet: int) -> Iterator[int]:
         return (number for number, part in enumerate(self.parts) if part.placement.sheet == sheet)
+
+    def _near(self, sheet: int, polygon: Polygon) -> Iterator[int]:
+        """Yield the parts of a sheet whose boxes come within the gap of a polygon's."""
+        gap_mm = self.spacing.gap_mm
+        left, low, right, high = polygon.bounds
+        for number in self._on(sheet):
+            box = self._polygons[number].bounds
+            beside = box[0] > right + gap_mm or box[2] < left - gap_mm
+            if not (beside or box[1] > high + gap_mm or box[3] < low - gap_mm):
+                yield number
 
     def _require(self, placement: Placement, number: int | None) -> None:
         if what := self.problem(placement, number):

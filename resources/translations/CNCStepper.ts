@@ -188,6 +188,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
@@ -225,6 +229,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -312,6 +320,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Core Diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -393,6 +409,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -508,6 +528,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Dwell</source>
             <translation type="unfinished"></translation>
         </message>
@@ -620,6 +648,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation type="unfinished"></translation>
         </message>
@@ -704,6 +736,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -732,6 +768,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -745,6 +785,10 @@
         </message>
         <message>
             <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -968,6 +1012,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many of each are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many parts are cut free</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1096,11 +1144,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1400,6 +1456,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Mend</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1421,6 +1481,10 @@
         </message>
         <message>
             <source>Minor Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1449,6 +1513,10 @@
         </message>
         <message>
             <source>Of a sheet of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of each part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1485,6 +1553,10 @@
         </message>
         <message>
             <source>Of the sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1556,7 +1628,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part Values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1676,6 +1760,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1772,6 +1864,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1841,6 +1937,10 @@
         </message>
         <message>
             <source>Registration holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1940,6 +2040,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheet Grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet X</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1952,6 +2056,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheets There</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheets of material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1961,6 +2069,10 @@
         </message>
         <message>
             <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1977,6 +2089,14 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2264,6 +2384,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2412,6 +2536,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The place of the work zero in this document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2441,6 +2569,10 @@
         </message>
         <message>
             <source>The program, kept in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The programs and their places</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2636,6 +2768,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2656,6 +2792,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2669,6 +2809,10 @@
         </message>
         <message>
             <source>Unreachable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2716,6 +2860,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2725,6 +2873,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2808,6 +2964,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2872,6 +3032,14 @@
         </message>
         <message>
             <source>'{0}' is too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0° to 270°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0°, 180°</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2996,6 +3164,10 @@
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A locked part stays where it is; press again to unlock it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3191,7 +3363,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a G-code file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add drawings, sketches or operations of the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3216,6 +3400,10 @@
         </message>
         <message>
             <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3244,6 +3432,10 @@
         </message>
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3340,6 +3532,14 @@
         </message>
         <message>
             <source>Arcs within a tolerance, or the published points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arrangement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arranging…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3443,6 +3643,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3492,6 +3696,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3739,6 +3947,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Copy of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3784,6 +4000,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4019,11 +4239,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Drag knife</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drag parts in the view; with Shift they turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4048,6 +4276,14 @@
         </message>
         <message>
             <source>Drawings ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4140,6 +4376,10 @@
         </message>
         <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End the search with the best so far</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4287,6 +4527,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill the sheet of the chosen part, or the first, with the marked part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill the work surface with the marked program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4312,6 +4572,10 @@
         </message>
         <message>
             <source>Finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4455,6 +4719,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4559,6 +4827,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>G73 pecks, chips</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4636,6 +4908,10 @@
         </message>
         <message>
             <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4959,6 +5235,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4984,6 +5264,10 @@
         </message>
         <message>
             <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many of each are wanted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5191,7 +5475,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its direction that lies along the grain of the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its machine runs and checks the whole program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5212,6 +5504,10 @@
         </message>
         <message>
             <source>Jobs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5343,6 +5639,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leave out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Leave out of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5464,6 +5764,10 @@
         </message>
         <message>
             <source>Load {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5595,6 +5899,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5628,6 +5936,10 @@
         </message>
         <message>
             <source>Mirror…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5731,7 +6043,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nesting the pieces: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5784,6 +6108,10 @@
         </message>
         <message>
             <source>No place is chosen yet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>None</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5851,6 +6179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of each part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5892,6 +6224,10 @@
         </message>
         <message>
             <source>Of the sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6071,11 +6407,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Parts and signs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts of a larger number are placed first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6155,7 +6507,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Place all copies that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all parts that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Place of the mirror, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6375,6 +6743,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6528,6 +6900,18 @@
         </message>
         <message>
             <source>Remaining</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnant…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6847,6 +7231,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheets that carry parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shield</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7151,6 +7539,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7167,11 +7559,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the chosen part from its sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the dial's reading from both sides first.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Take the line numbers out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out of the nest</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7308,6 +7712,10 @@
         </message>
         <message>
             <source>The diameter of the tool holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the material's grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7567,6 +7975,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The path of the last job is read…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7639,6 +8051,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The programs and their places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of loops at sharp outside corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7656,6 +8072,10 @@
         </message>
         <message>
             <source>The retract along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rotations in which it may lie</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7843,6 +8263,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>There is nothing that fits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7967,6 +8391,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tool length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8039,6 +8467,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn the chosen part to its next rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8099,11 +8535,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use a drawing of a rest of a sheet first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Use the tool of the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use whole sheets only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>V-bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8179,6 +8627,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8188,6 +8640,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8319,7 +8779,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the one checked program of all copies</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8452,6 +8924,10 @@
         </message>
         <message>
             <source>angle about Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>any</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8924,6 +9400,10 @@
         </message>
         <message>
             <source>lines in one direction</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>locked</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9571,6 +10051,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} parts on {1} sheets, {2} missing; the sheets are used to {3} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9640,6 +10124,10 @@
         </message>
         <message>
             <source>{0}:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: X {1}, Y {2}, {3}°</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9747,6 +10235,10 @@
         </message>
         <message>
             <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{name}' holds no lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11186,6 +11678,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a part or a value has changed since the parts were nested</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11263,6 +11759,10 @@
         </message>
         <message>
             <source>a program on the controller stopped at an error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program or a value has changed since they were arranged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11622,6 +12122,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add jobs, programs or files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11819,6 +12323,10 @@
         </message>
         <message>
             <source>arcs outside the plane XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arrange them again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12386,6 +12894,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12419,6 +12931,10 @@
         </message>
         <message>
             <source>choose other values, or try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose the job whose machine runs it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14022,6 +14538,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it was not placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15038,6 +15558,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nest them again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15167,6 +15691,10 @@
         </message>
         <message>
             <source>no parallel curve that far inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no part is chosen</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15742,6 +16270,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>place the copies elsewhere</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>place them farther apart, or --allow-overlap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15791,6 +16323,10 @@
         </message>
         <message>
             <source>prepare this program's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press on one in the 3D view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16239,6 +16775,10 @@
         </message>
         <message>
             <source>select a sketch, wires, faces or edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>select drawings or sketches and add them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16750,6 +17290,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take it out of the parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take it out of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16955,6 +17499,10 @@
         </message>
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arrangement has no job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19706,6 +20254,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there are no parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there are no relays</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19751,6 +20303,14 @@
         </message>
         <message>
             <source>there is no dialect '{base}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no drawing '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no file for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21470,6 +22030,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} of {name}: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22383,6 +22947,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Arrangement</name>
+        <message>
+            <source>Arrange programs…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Bore</name>
         <message>
             <source>Bore</source>
@@ -22577,6 +23152,17 @@
         </message>
         <message>
             <source>Move up</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Nest</name>
+        <message>
+            <source>Nest on sheets…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places the selected drawings on sheets of material, as often as they are wanted</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -188,6 +188,10 @@
             <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation>Entre os cortes de duas cópias</translation>
+        </message>
+        <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
             <translation>Entre os dois lados de uma fresa em V ou de gravação; 0: não informado</translation>
         </message>
@@ -226,6 +230,10 @@
         <message>
             <source>By colour</source>
             <translation>Por cor</translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
+            <translation>Pela metade dele os cortes são mais largos que os caminhos</translation>
         </message>
         <message>
             <source>Centre</source>
@@ -312,6 +320,14 @@
             <translation>Refrigeração</translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation>Cópias na superfície de trabalho</translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation>Cópias colocadas pela busca podem ser giradas</translation>
+        </message>
+        <message>
             <source>Core Diameter</source>
             <translation>Diâmetro do núcleo</translation>
         </message>
@@ -394,6 +410,10 @@
         <message>
             <source>Count</source>
             <translation>Quantidade</translation>
+        </message>
+        <message>
+            <source>Counts</source>
+            <translation>Quantidades</translation>
         </message>
         <message>
             <source>Current</source>
@@ -508,6 +528,14 @@
             <translation>Desenhos</translation>
         </message>
         <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation>Desenhos de retalhos de chapas, que são usados primeiro</translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
+            <translation>Desenhos, esboços, formas e operações cujos contornos são aninhados</translation>
+        </message>
+        <message>
             <source>Dwell</source>
             <translation>Pausa</translation>
         </message>
@@ -620,6 +648,10 @@
             <translation>Estado do arquivo</translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation>Arquivos</translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation>Acabamento</translation>
         </message>
@@ -704,6 +736,10 @@
             <translation>De X às linhas do padrão</translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation>De um corte à borda da chapa</translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation>De uma peça à borda da chapa</translation>
         </message>
@@ -732,6 +768,10 @@
             <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation>Arquivos de código G</translation>
+        </message>
+        <message>
             <source>Gap</source>
             <translation>Vão</translation>
         </message>
@@ -746,6 +786,10 @@
         <message>
             <source>Good side</source>
             <translation>Lado bom</translation>
+        </message>
+        <message>
+            <source>Grain</source>
+            <translation>Veio</translation>
         </message>
         <message>
             <source>Greatest chip load</source>
@@ -968,6 +1012,10 @@
             <translation>Quantas pontes em cada contorno</translation>
         </message>
         <message>
+            <source>How many of each are wanted</source>
+            <translation>Quantos de cada um são pedidos</translation>
+        </message>
+        <message>
             <source>How many parts are cut free</source>
             <translation>Quantas peças são soltas</translation>
         </message>
@@ -1096,12 +1144,20 @@
             <translation>Inverter</translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation>A máquina dele executa e verifica o programa inteiro</translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation>Seu nome nos arquivos de trabalho</translation>
         </message>
         <message>
             <source>Job</source>
             <translation>Trabalho</translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
+            <translation>Trabalhos e programas do documento</translation>
         </message>
         <message>
             <source>Join</source>
@@ -1400,6 +1456,10 @@
             <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation>Material que fica entre dois cortes</translation>
+        </message>
+        <message>
             <source>Mend</source>
             <translation>Reparar</translation>
         </message>
@@ -1422,6 +1482,10 @@
         <message>
             <source>Minor Used</source>
             <translation>Diâmetro menor usado</translation>
+        </message>
+        <message>
+            <source>Missing</source>
+            <translation>Faltam</translation>
         </message>
         <message>
             <source>Narrow arcs</source>
@@ -1450,6 +1514,10 @@
         <message>
             <source>Of a sheet of material</source>
             <translation>De uma chapa de material</translation>
+        </message>
+        <message>
+            <source>Of each part</source>
+            <translation>De cada peça</translation>
         </message>
         <message>
             <source>Of its curves</source>
@@ -1486,6 +1554,10 @@
         <message>
             <source>Of the sheets</source>
             <translation>Das chapas</translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
+            <translation>Da superfície de trabalho</translation>
         </message>
         <message>
             <source>Of the written program</source>
@@ -1556,8 +1628,20 @@
             <translation>Parte</translation>
         </message>
         <message>
+            <source>Part Values</source>
+            <translation>Valores das peças</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation>Peças em todas as chapas</translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation>Peças sem lugar</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -1676,6 +1760,14 @@
             <translation>Ângulo inicial</translation>
         </message>
         <message>
+            <source>Placed</source>
+            <translation>Colocadas</translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation>Posições</translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation>Lugares</translation>
         </message>
@@ -1772,6 +1864,10 @@
             <translation>Programas</translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation>Quartos de volta</translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation>Passes radiais</translation>
         </message>
@@ -1842,6 +1938,10 @@
         <message>
             <source>Registration holes</source>
             <translation>Furos de registro</translation>
+        </message>
+        <message>
+            <source>Remnants</source>
+            <translation>Retalhos</translation>
         </message>
         <message>
             <source>Repair</source>
@@ -1940,6 +2040,10 @@
             <translation>Número de chapas</translation>
         </message>
         <message>
+            <source>Sheet Grain</source>
+            <translation>Veio da chapa</translation>
+        </message>
+        <message>
             <source>Sheet X</source>
             <translation>Chapa X</translation>
         </message>
@@ -1952,6 +2056,10 @@
             <translation>Chapas</translation>
         </message>
         <message>
+            <source>Sheets There</source>
+            <translation>Chapas disponíveis</translation>
+        </message>
+        <message>
             <source>Sheets of material</source>
             <translation>Chapas de material</translation>
         </message>
@@ -1962,6 +2070,10 @@
         <message>
             <source>Sheets of the stack</source>
             <translation>Chapas da pilha</translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
+            <translation>Chapas que têm peças</translation>
         </message>
         <message>
             <source>Shorter than</source>
@@ -1978,6 +2090,14 @@
         <message>
             <source>Size</source>
             <translation>Tamanho</translation>
+        </message>
+        <message>
+            <source>Size X</source>
+            <translation>Tamanho X</translation>
+        </message>
+        <message>
+            <source>Size Y</source>
+            <translation>Tamanho Y</translation>
         </message>
         <message>
             <source>Slant</source>
@@ -2264,6 +2384,10 @@
             <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation>A direção do veio do material</translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation>O documento e o nome do próprio objeto; uma cópia ainda tem os do original</translation>
         </message>
@@ -2412,6 +2536,10 @@
             <translation>As peças e corpos com os quais os desenhos se movem</translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation>As peças e os valores</translation>
+        </message>
+        <message>
             <source>The place of the work zero in this document</source>
             <translation>Onde fica o zero-peça neste documento</translation>
         </message>
@@ -2442,6 +2570,10 @@
         <message>
             <source>The program, kept in this document</source>
             <translation>O programa, guardado neste documento</translation>
+        </message>
+        <message>
+            <source>The programs and their places</source>
+            <translation>Os programas e seus lugares</translation>
         </message>
         <message>
             <source>The radius of loops at sharp outside corners</source>
@@ -2636,6 +2768,10 @@
             <translation>Forma da ferramenta</translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation>Diâmetro da ferramenta</translation>
+        </message>
+        <message>
             <source>Tools</source>
             <translation>Ferramentas</translation>
         </message>
@@ -2656,6 +2792,10 @@
             <translation>Traça o que é claro em vez do que é escuro</translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation>Girar</translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
         </message>
@@ -2670,6 +2810,10 @@
         <message>
             <source>Unreachable</source>
             <translation>Inalcançável</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Valores</translation>
         </message>
         <message>
             <source>Wall feed</source>
@@ -2716,6 +2860,10 @@
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation>Onde estão as cópias</translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation>Onde os desenhos são gravados; vazio: ao lado do documento</translation>
         </message>
@@ -2726,6 +2874,14 @@
         <message>
             <source>Where the line ends</source>
             <translation>Onde a linha termina</translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation>Onde estão as peças</translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
+            <translation>Onde o programa é gravado; vazio: ao lado do documento</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -2808,6 +2964,10 @@
             <translation>Sistema de coordenadas</translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation>Superfície de trabalho</translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation>Zero-peça</translation>
         </message>
@@ -2873,6 +3033,14 @@
         <message>
             <source>'{0}' is too large</source>
             <translation>'{0}' é grande demais</translation>
+        </message>
+        <message>
+            <source>0° to 270°</source>
+            <translation>0° a 270°</translation>
+        </message>
+        <message>
+            <source>0°, 180°</source>
+            <translation>0°, 180°</translation>
         </message>
         <message>
             <source>45° blade</source>
@@ -2997,6 +3165,10 @@
         <message>
             <source>A line of the program that was cut already.</source>
             <translation>Uma linha do programa que já foi cortada.</translation>
+        </message>
+        <message>
+            <source>A locked part stays where it is; press again to unlock it</source>
+            <translation>Uma peça travada fica onde está; pressione de novo para destravar</translation>
         </message>
         <message>
             <source>A lower feed at corners</source>
@@ -3191,8 +3363,20 @@
             <translation>Adicionar</translation>
         </message>
         <message>
+            <source>Add a G-code file</source>
+            <translation>Adicionar um arquivo de código G</translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
             <translation>Adiciona uma ferramenta a este trabalho</translation>
+        </message>
+        <message>
+            <source>Add drawings, sketches or operations of the document</source>
+            <translation>Adicionar desenhos, esboços ou operações do documento</translation>
+        </message>
+        <message>
+            <source>Add jobs and programs of the document</source>
+            <translation>Adicionar trabalhos e programas do documento</translation>
         </message>
         <message>
             <source>Add selected</source>
@@ -3217,6 +3401,10 @@
         <message>
             <source>Added between letters</source>
             <translation>Acrescentado entre as letras</translation>
+        </message>
+        <message>
+            <source>Add…</source>
+            <translation>Adicionar…</translation>
         </message>
         <message>
             <source>After {0}</source>
@@ -3245,6 +3433,10 @@
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
             <translation>Todas as linhas foram enviadas; os últimos movimentos estão sendo usinados.</translation>
+        </message>
+        <message>
+            <source>All of them</source>
+            <translation>Todos</translation>
         </message>
         <message>
             <source>All, the outline, or the holes in it</source>
@@ -3341,6 +3533,14 @@
         <message>
             <source>Arcs within a tolerance, or the published points</source>
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
+        </message>
+        <message>
+            <source>Arrangement</source>
+            <translation>Disposição</translation>
+        </message>
+        <message>
+            <source>Arranging…</source>
+            <translation>Dispondo…</translation>
         </message>
         <message>
             <source>Arrow</source>
@@ -3443,6 +3643,10 @@
             <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation>Entre os cortes de duas cópias</translation>
+        </message>
+        <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
             <translation>Entre os dois lados de uma fresa em V ou de gravação; 0: não informado</translation>
         </message>
@@ -3493,6 +3697,10 @@
         <message>
             <source>By colour</source>
             <translation>Por cor</translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
+            <translation>Pela metade dele os cortes são mais largos que os caminhos</translation>
         </message>
         <message>
             <source>By which share the lathe may be slower than its published step times</source>
@@ -3739,6 +3947,14 @@
             <translation>Refrigeração</translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation>Cópias na superfície de trabalho</translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation>Cópias colocadas pela busca podem ser giradas</translation>
+        </message>
+        <message>
             <source>Copy of {0}</source>
             <translation>Cópia de {0}</translation>
         </message>
@@ -3785,6 +4001,10 @@
         <message>
             <source>Count</source>
             <translation>Quantidade</translation>
+        </message>
+        <message>
+            <source>Counts</source>
+            <translation>Quantidades</translation>
         </message>
         <message>
             <source>Crescent</source>
@@ -4019,12 +4239,20 @@
             <translation>Duplicadas</translation>
         </message>
         <message>
+            <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
+            <translation>Arraste uma peça para movê-la, com Shift para girá-la; Delete a retira</translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation>Arraste um ponto para movê-lo, a linha para adicionar um; Delete exclui o ponto sob o cursor. Esc: terminar.</translation>
         </message>
         <message>
             <source>Drag knife</source>
             <translation>Faca de arrasto</translation>
+        </message>
+        <message>
+            <source>Drag parts in the view; with Shift they turn</source>
+            <translation>Arraste as peças na vista; com Shift elas giram</translation>
         </message>
         <message>
             <source>Draw a freehand line</source>
@@ -4049,6 +4277,14 @@
         <message>
             <source>Drawings ({0})</source>
             <translation>Desenhos ({0})</translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation>Desenhos de retalhos de chapas, que são usados primeiro</translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
+            <translation>Desenhos, esboços, formas e operações cujos contornos são aninhados</translation>
         </message>
         <message>
             <source>Drawn twice</source>
@@ -4141,6 +4377,10 @@
         <message>
             <source>End angle</source>
             <translation>Ângulo final</translation>
+        </message>
+        <message>
+            <source>End the search with the best so far</source>
+            <translation>Terminar a busca com o melhor até agora</translation>
         </message>
         <message>
             <source>Ends joined</source>
@@ -4287,6 +4527,26 @@
             <translation>Arquivo</translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation>Arquivos</translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation>Arquivo…</translation>
+        </message>
+        <message>
+            <source>Fill</source>
+            <translation>Preencher</translation>
+        </message>
+        <message>
+            <source>Fill the sheet of the chosen part, or the first, with the marked part</source>
+            <translation>Preencher a chapa da peça escolhida, ou a primeira, com a peça marcada</translation>
+        </message>
+        <message>
+            <source>Fill the work surface with the marked program</source>
+            <translation>Preencher a superfície de trabalho com o programa marcado</translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation>Localizar</translation>
         </message>
@@ -4313,6 +4573,10 @@
         <message>
             <source>Finishing</source>
             <translation>Terminando</translation>
+        </message>
+        <message>
+            <source>First</source>
+            <translation>Primeiro</translation>
         </message>
         <message>
             <source>First corner</source>
@@ -4455,6 +4719,10 @@
             <translation>De X às linhas do padrão</translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation>De um corte à borda da chapa</translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation>De uma peça à borda da chapa</translation>
         </message>
@@ -4559,6 +4827,10 @@
             <translation>F{0} mm/volta</translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation>Arquivos de código G</translation>
+        </message>
+        <message>
             <source>G73 pecks, chips</source>
             <translation>G73 quebra-cavaco</translation>
         </message>
@@ -4637,6 +4909,10 @@
         <message>
             <source>Good side</source>
             <translation>Lado bom</translation>
+        </message>
+        <message>
+            <source>Grain</source>
+            <translation>Veio</translation>
         </message>
         <message>
             <source>Greatest chip load</source>
@@ -4959,6 +5235,10 @@
             <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
         </message>
         <message>
+            <source>How many are wanted</source>
+            <translation>Quantas são pedidas</translation>
+        </message>
+        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation>Em quantos cantos e lugares estreitos a ferramenta não entra</translation>
         </message>
@@ -4985,6 +5265,10 @@
         <message>
             <source>How many joints on each outline</source>
             <translation>Quantas pontes em cada contorno</translation>
+        </message>
+        <message>
+            <source>How many of each are wanted</source>
+            <translation>Quantos de cada um são pedidos</translation>
         </message>
         <message>
             <source>How many parts are cut free</source>
@@ -5191,8 +5475,16 @@
             <translation>É a sua cópia de um perfil fornecido, e toma o lugar dele.</translation>
         </message>
         <message>
+            <source>Its direction that lies along the grain of the material</source>
+            <translation>A direção da peça que fica ao longo do veio do material</translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
             <translation>Sua linguagem e sua ligação: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</translation>
+        </message>
+        <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation>A máquina dele executa e verifica o programa inteiro</translation>
         </message>
         <message>
             <source>Its name in job files</source>
@@ -5213,6 +5505,10 @@
         <message>
             <source>Jobs ({0})</source>
             <translation>Trabalhos ({0})</translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
+            <translation>Trabalhos e programas do documento</translation>
         </message>
         <message>
             <source>Jog</source>
@@ -5343,6 +5639,10 @@
             <translation>Sai</translation>
         </message>
         <message>
+            <source>Leave out</source>
+            <translation>Excluir</translation>
+        </message>
+        <message>
             <source>Leave out of the program</source>
             <translation>Deixar fora do programa</translation>
         </message>
@@ -5465,6 +5765,10 @@
         <message>
             <source>Load {0}</source>
             <translation>Carregar {0}</translation>
+        </message>
+        <message>
+            <source>Lock</source>
+            <translation>Travar</translation>
         </message>
         <message>
             <source>Locking wheel</source>
@@ -5595,6 +5899,10 @@
             <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation>Material que fica entre dois cortes</translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation>Medido</translation>
         </message>
@@ -5629,6 +5937,10 @@
         <message>
             <source>Mirror…</source>
             <translation>Espelhar…</translation>
+        </message>
+        <message>
+            <source>Missing</source>
+            <translation>Faltam</translation>
         </message>
         <message>
             <source>Mist</source>
@@ -5731,8 +6043,20 @@
             <translation>Arcos estreitos</translation>
         </message>
         <message>
+            <source>Nest</source>
+            <translation>Aninhar</translation>
+        </message>
+        <message>
             <source>Nesting the pieces: {0} %</source>
             <translation>Encaixando as peças: {0} %</translation>
+        </message>
+        <message>
+            <source>Nesting: {0} %</source>
+            <translation>Aninhando: {0} %</translation>
+        </message>
+        <message>
+            <source>Nesting…</source>
+            <translation>Aninhando…</translation>
         </message>
         <message>
             <source>Never farther off than, mm</source>
@@ -5785,6 +6109,10 @@
         <message>
             <source>No place is chosen yet.</source>
             <translation>Nenhum lugar foi escolhido ainda.</translation>
+        </message>
+        <message>
+            <source>None</source>
+            <translation>Nenhum</translation>
         </message>
         <message>
             <source>Not certain</source>
@@ -5851,6 +6179,10 @@
             <translation>De uma chapa de material</translation>
         </message>
         <message>
+            <source>Of each part</source>
+            <translation>De cada peça</translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation>De suas curvas</translation>
         </message>
@@ -5893,6 +6225,10 @@
         <message>
             <source>Of the sheets</source>
             <translation>Das chapas</translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
+            <translation>Da superfície de trabalho</translation>
         </message>
         <message>
             <source>Of the written program</source>
@@ -6071,12 +6407,28 @@
             <translation>Paralelogramo</translation>
         </message>
         <message>
+            <source>Part</source>
+            <translation>Parte</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
         </message>
         <message>
             <source>Parts and signs</source>
             <translation>Peças e placas</translation>
+        </message>
+        <message>
+            <source>Parts of a larger number are placed first</source>
+            <translation>Peças de número maior são colocadas primeiro</translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation>Peças em todas as chapas</translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation>Peças sem lugar</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -6155,8 +6507,24 @@
             <translation>Lugar</translation>
         </message>
         <message>
+            <source>Place all copies that are not locked</source>
+            <translation>Colocar todas as cópias que não estão travadas</translation>
+        </message>
+        <message>
+            <source>Place all parts that are not locked</source>
+            <translation>Colocar todas as peças que não estão travadas</translation>
+        </message>
+        <message>
             <source>Place of the mirror, mm</source>
             <translation>Onde fica o espelho, mm</translation>
+        </message>
+        <message>
+            <source>Placed</source>
+            <translation>Colocadas</translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation>Posições</translation>
         </message>
         <message>
             <source>Places</source>
@@ -6375,6 +6743,10 @@
             <translation>Põe o bloco em torno do que está selecionado, ou dos desenhos das operações</translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation>Quartos de volta</translation>
+        </message>
+        <message>
             <source>Radius</source>
             <translation>Raio</translation>
         </message>
@@ -6529,6 +6901,18 @@
         <message>
             <source>Remaining</source>
             <translation>Restante</translation>
+        </message>
+        <message>
+            <source>Remnants</source>
+            <translation>Retalhos</translation>
+        </message>
+        <message>
+            <source>Remnants: {0}</source>
+            <translation>Retalhos: {0}</translation>
+        </message>
+        <message>
+            <source>Remnant…</source>
+            <translation>Retalho…</translation>
         </message>
         <message>
             <source>Remove</source>
@@ -6847,6 +7231,10 @@
             <translation>Chapas da pilha</translation>
         </message>
         <message>
+            <source>Sheets that carry parts</source>
+            <translation>Chapas que têm peças</translation>
+        </message>
+        <message>
             <source>Shield</source>
             <translation>Escudo</translation>
         </message>
@@ -7151,6 +7539,10 @@
             <translation>Etiqueta</translation>
         </message>
         <message>
+            <source>Take away</source>
+            <translation>Retirar</translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation>Incluir no programa</translation>
         </message>
@@ -7167,12 +7559,24 @@
             <translation>Voltar ao valor da tabela</translation>
         </message>
         <message>
+            <source>Take the chosen part from its sheet</source>
+            <translation>Retirar a peça escolhida da sua chapa</translation>
+        </message>
+        <message>
             <source>Take the dial's reading from both sides first.</source>
             <translation>Faça primeiro a leitura do relógio dos dois lados.</translation>
         </message>
         <message>
             <source>Take the line numbers out</source>
             <translation>Tirar os números de linha</translation>
+        </message>
+        <message>
+            <source>Take the marked rows out</source>
+            <translation>Tirar as linhas marcadas</translation>
+        </message>
+        <message>
+            <source>Take the marked rows out of the nest</source>
+            <translation>Tirar as linhas marcadas do aninhamento</translation>
         </message>
         <message>
             <source>Take the reading</source>
@@ -7309,6 +7713,10 @@
         <message>
             <source>The diameter of the tool holder; 0: not given</source>
             <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The direction of the material's grain</source>
+            <translation>A direção do veio do material</translation>
         </message>
         <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
@@ -7567,6 +7975,10 @@
             <translation>As peças e corpos com os quais os desenhos se movem</translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation>As peças e os valores</translation>
+        </message>
+        <message>
             <source>The path of the last job is read…</source>
             <translation>O caminho do último trabalho está sendo lido…</translation>
         </message>
@@ -7639,6 +8051,10 @@
             <translation>O programa, guardado neste documento</translation>
         </message>
         <message>
+            <source>The programs and their places</source>
+            <translation>Os programas e seus lugares</translation>
+        </message>
+        <message>
             <source>The radius of loops at sharp outside corners</source>
             <translation>O raio dos laços em cantos externos vivos</translation>
         </message>
@@ -7657,6 +8073,10 @@
         <message>
             <source>The retract along the cut is being checked…</source>
             <translation>O caminho ao longo do corte está sendo verificado…</translation>
+        </message>
+        <message>
+            <source>The rotations in which it may lie</source>
+            <translation>As rotações em que pode ficar</translation>
         </message>
         <message>
             <source>The section of a beam, about the zero.</source>
@@ -7843,6 +8263,10 @@
             <translation>Ainda não há reinício para enviar.</translation>
         </message>
         <message>
+            <source>There is nothing that fits</source>
+            <translation>Não há nada que sirva</translation>
+        </message>
+        <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation>Estes perfis têm mudanças não salvas: {0}</translation>
         </message>
@@ -7967,6 +8391,10 @@
             <translation>Troca de ferramenta</translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation>Diâmetro da ferramenta</translation>
+        </message>
+        <message>
             <source>Tool length</source>
             <translation>Comprimento da ferramenta</translation>
         </message>
@@ -8039,6 +8467,14 @@
             <translation>Chapa triangular</translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation>Girar</translation>
+        </message>
+        <message>
+            <source>Turn the chosen part to its next rotation</source>
+            <translation>Girar a peça escolhida para a próxima rotação</translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
         </message>
@@ -8099,12 +8535,24 @@
             <translation>Inalcançável</translation>
         </message>
         <message>
+            <source>Use a drawing of a rest of a sheet first</source>
+            <translation>Usar primeiro o desenho de um retalho de chapa</translation>
+        </message>
+        <message>
             <source>Use the tool of the job</source>
             <translation>Usar a ferramenta do trabalho</translation>
         </message>
         <message>
+            <source>Use whole sheets only</source>
+            <translation>Usar só chapas inteiras</translation>
+        </message>
+        <message>
             <source>V-bit</source>
             <translation>fresa em V</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Valores</translation>
         </message>
         <message>
             <source>Virtual grbl (no machine)</source>
@@ -8179,6 +8627,10 @@
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation>Onde estão as cópias</translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation>Onde os desenhos são gravados; vazio: ao lado do documento</translation>
         </message>
@@ -8189,6 +8641,14 @@
         <message>
             <source>Where the line ends</source>
             <translation>Onde a linha termina</translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation>Onde estão as peças</translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
+            <translation>Onde o programa é gravado; vazio: ao lado do documento</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -8319,8 +8779,20 @@
             <translation>Calcular o ângulo</translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation>Superfície de trabalho</translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation>Zero-peça</translation>
+        </message>
+        <message>
+            <source>Write program</source>
+            <translation>Gravar programa</translation>
+        </message>
+        <message>
+            <source>Write the one checked program of all copies</source>
+            <translation>Gravar o programa único e verificado de todas as cópias</translation>
         </message>
         <message>
             <source>Writes the text into a file</source>
@@ -8453,6 +8925,10 @@
         <message>
             <source>angle about Z</source>
             <translation>ângulo em torno de Z</translation>
+        </message>
+        <message>
+            <source>any</source>
+            <translation>qualquer</translation>
         </message>
         <message>
             <source>ap, recalculated to whole passes</source>
@@ -8925,6 +9401,10 @@
         <message>
             <source>lines in one direction</source>
             <translation>linhas em um só sentido</translation>
+        </message>
+        <message>
+            <source>locked</source>
+            <translation>travada</translation>
         </message>
         <message>
             <source>low</source>
@@ -9571,6 +10051,10 @@
             <translation>{0} na camada '{1}' foi deixado de fora: {2}</translation>
         </message>
         <message>
+            <source>{0} parts on {1} sheets, {2} missing; the sheets are used to {3} %</source>
+            <translation>{0} peças em {1} chapas, faltam {2}; aproveitamento das chapas: {3} %</translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation>{0} leituras: média {1:.4f} mm, desvio padrão {2:.4f} mm</translation>
         </message>
@@ -9641,6 +10125,10 @@
         <message>
             <source>{0}:</source>
             <translation>{0}:</translation>
+        </message>
+        <message>
+            <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation>{0}: X {1}, Y {2}, {3}°</translation>
         </message>
         <message>
             <source>{0}: its file has changed; Reload in the tree takes it anew</source>
@@ -9748,6 +10236,10 @@
         <message>
             <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
             <translation>'{line}' não é um bloco que só comuta, como M8, M3S9000 ou M64P0</translation>
+        </message>
+        <message>
+            <source>'{name}' holds no lines</source>
+            <translation>'{name}' não tem linhas</translation>
         </message>
         <message>
             <source>'{name}' is no name for a machine profile</source>
@@ -11186,6 +11678,10 @@
             <translation>uma peça de outra operação</translation>
         </message>
         <message>
+            <source>a part or a value has changed since the parts were nested</source>
+            <translation>uma peça ou um valor mudou desde que as peças foram aninhadas</translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation>um caminho não tem comprimento ou tem uma coordenada que não é um comprimento em mm</translation>
         </message>
@@ -11264,6 +11760,10 @@
         <message>
             <source>a program on the controller stopped at an error</source>
             <translation>um programa no controlador parou em um erro</translation>
+        </message>
+        <message>
+            <source>a program or a value has changed since they were arranged</source>
+            <translation>um programa ou um valor mudou desde que foram dispostos</translation>
         </message>
         <message>
             <source>a program that goes to machine positions cannot be placed beside others</source>
@@ -11622,6 +12122,10 @@
             <translation>acrescente pontos de controle</translation>
         </message>
         <message>
+            <source>add jobs, programs or files</source>
+            <translation>adicione trabalhos, programas ou arquivos</translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation>acrescente uma antes do primeiro corte</translation>
         </message>
@@ -11820,6 +12324,10 @@
         <message>
             <source>arcs outside the plane XY</source>
             <translation>arcos fora do plano XY</translation>
+        </message>
+        <message>
+            <source>arrange them again</source>
+            <translation>disponha-os de novo</translation>
         </message>
         <message>
             <source>ask for at most {fewer}</source>
@@ -12386,6 +12894,10 @@
             <translation>escolha outro nome</translation>
         </message>
         <message>
+            <source>choose another one</source>
+            <translation>escolha outro</translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation>escolha outro processo no trabalho, ou apague a operação</translation>
         </message>
@@ -12420,6 +12932,10 @@
         <message>
             <source>choose other values, or try again</source>
             <translation>escolha outros valores, ou tente de novo</translation>
+        </message>
+        <message>
+            <source>choose the job whose machine runs it</source>
+            <translation>escolha o trabalho cuja máquina o executa</translation>
         </message>
         <message>
             <source>choose the job's material</source>
@@ -14022,6 +14538,10 @@
             <translation>foi comprimido ou cifrado novamente</translation>
         </message>
         <message>
+            <source>it was not placed</source>
+            <translation>não foi colocada</translation>
+        </message>
+        <message>
             <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
         </message>
@@ -15038,6 +15558,10 @@
             <translation>parâmetros com nome não fazem parte deste dialeto</translation>
         </message>
         <message>
+            <source>nest them again</source>
+            <translation>aninhe-as de novo</translation>
+        </message>
+        <message>
             <source>nested too deeply</source>
             <translation>aninhado fundo demais</translation>
         </message>
@@ -15168,6 +15692,10 @@
         <message>
             <source>no parallel curve that far inside</source>
             <translation>não há curva paralela tão para dentro</translation>
+        </message>
+        <message>
+            <source>no part is chosen</source>
+            <translation>nenhuma peça está escolhida</translation>
         </message>
         <message>
             <source>no pass is narrower than a micron or wider than 10 m</source>
@@ -15742,6 +16270,10 @@
             <translation>local desconhecido</translation>
         </message>
         <message>
+            <source>place the copies elsewhere</source>
+            <translation>coloque as cópias em outro lugar</translation>
+        </message>
+        <message>
             <source>place them farther apart, or --allow-overlap</source>
             <translation>afaste-os mais ou use --allow-overlap</translation>
         </message>
@@ -15792,6 +16324,10 @@
         <message>
             <source>prepare this program's own</source>
             <translation>prepare as linhas deste próprio programa</translation>
+        </message>
+        <message>
+            <source>press on one in the 3D view</source>
+            <translation>clique em uma na vista 3D</translation>
         </message>
         <message>
             <source>press the machine's own switch, or let it run to its end</source>
@@ -16240,6 +16776,10 @@
         <message>
             <source>select a sketch, wires, faces or edges</source>
             <translation>selecione um esboço, arames, faces ou arestas</translation>
+        </message>
+        <message>
+            <source>select drawings or sketches and add them</source>
+            <translation>selecione desenhos ou esboços e adicione-os</translation>
         </message>
         <message>
             <source>select the plane with G17, G18, G19</source>
@@ -16750,6 +17290,10 @@
             <translation>retire-o do nome</translation>
         </message>
         <message>
+            <source>take it out of the parts</source>
+            <translation>tire-o das peças</translation>
+        </message>
+        <message>
             <source>take it out of the program</source>
             <translation>retire-o do programa</translation>
         </message>
@@ -16956,6 +17500,10 @@
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
             <translation>o programa disposto tem {count} cortes, e não {wanted}</translation>
+        </message>
+        <message>
+            <source>the arrangement has no job</source>
+            <translation>a disposição não tem trabalho</translation>
         </message>
         <message>
             <source>the auxiliary port does not exist or is in use</source>
@@ -19706,6 +20254,10 @@
             <translation>há de A a Z para pulsos e {0} para dispositivos</translation>
         </message>
         <message>
+            <source>there are no parts</source>
+            <translation>não há peças</translation>
+        </message>
+        <message>
             <source>there are no relays</source>
             <translation>não há relés</translation>
         </message>
@@ -19752,6 +20304,14 @@
         <message>
             <source>there is no dialect '{base}'</source>
             <translation>não há dialeto '{base}'</translation>
+        </message>
+        <message>
+            <source>there is no drawing '{name}'</source>
+            <translation>não há desenho '{name}'</translation>
+        </message>
+        <message>
+            <source>there is no file for the program</source>
+            <translation>não há arquivo para o programa</translation>
         </message>
         <message>
             <source>there is no folder for the drawings</source>
@@ -21470,6 +22030,10 @@
             <translation>{count} linhas têm marcadores, que não são lidos</translation>
         </message>
         <message>
+            <source>{count} of {name}: {why}</source>
+            <translation>{count} de {name}: {why}</translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation>{count} caminhos estão danificados e são lidos até o dano</translation>
         </message>
@@ -22383,6 +22947,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Arrangement</name>
+        <message>
+            <source>Arrange programs…</source>
+            <translation>Dispor programas…</translation>
+        </message>
+        <message>
+            <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation>Coloca programas na superfície de trabalho com o mouse e faz deles um só programa</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Bore</name>
         <message>
             <source>Bore</source>
@@ -22578,6 +23153,17 @@
         <message>
             <source>Move up</source>
             <translation>Mover para cima</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Nest</name>
+        <message>
+            <source>Nest on sheets…</source>
+            <translation>Aninhar em chapas…</translation>
+        </message>
+        <message>
+            <source>Places the selected drawings on sheets of material, as often as they are wanted</source>
+            <translation>Coloca os desenhos selecionados em chapas de material, quantas vezes forem pedidos</translation>
         </message>
     </context>
     <context>

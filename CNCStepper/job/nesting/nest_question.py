@@ -83,8 +83,9 @@ def answer_of(
         files = write_nest(order, layout, Path(asked["folder"]))
     unplaced = layout.unplaced if layout is not None else ()
     return {
-        "order": _packed_order(order),
+        "order": packed_items(order.items, order.sheets, order.spacing),
         "parts": rows_of(parts),
+        "written": layout is not None,
         "sheets": [str(path) for path in files if path.name.startswith("sheet-")],
         "density": density_of(order, layout) if layout is not None else 0.0,
         "missing": sum(each.count for each in unplaced),
@@ -109,7 +110,7 @@ def _searched(order: Order, parts: Sequence[PlacedPart], budget: Budget) -> tupl
     """Return the best layout that is found round the locked parts, and its parts."""
     locked = [part.placement for part in parts if part.locked]
     counts = [item.count for item in order.items]
-    layout = nest(_with_locked(order, counts, locked), order.sheets, order.spacing, budget, strip_packer())
+    layout = nest(with_locked(order.items, counts, locked), order.sheets, order.spacing, budget, strip_packer())
     return layout, [PlacedPart(place, place in locked) for place in sorted(layout.placements)]
 
 
@@ -124,15 +125,15 @@ def _judged(order: Order, parts: Sequence[PlacedPart]) -> Layout:
         if count > lie[number]
     )
     layout = Layout(places, unplaced)
-    items = _with_locked(order, counts, [part.placement for part in parts if part.locked])
+    items = with_locked(order.items, counts, [part.placement for part in parts if part.locked])
     require_sound(items, order.sheets, order.spacing, layout)
     return layout
 
 
-def _with_locked(order: Order, counts: Sequence[int], locked: Sequence[Placement]) -> list[Item]:
+def with_locked(items: Sequence[Item], counts: Sequence[int], locked: Sequence[Placement]) -> list[Item]:
     """Return the items with their locked placements, which count among those wanted."""
     found = []
-    for number, (item, count) in enumerate(zip(order.items, counts, strict=True)):
+    for number, (item, count) in enumerate(zip(items, counts, strict=True)):
         own = tuple(place for place in locked if place.item == number)
         found.append(replace(item, count=max(count - len(own), 0), locked=own))
     return found
@@ -143,8 +144,9 @@ def _sentence(order: Order, unplaced: Unplaced) -> Text:
     return Text("{count} of {name}: {why}", count=unplaced.count, name=name, why=unplaced.why)
 
 
-def _packed_order(order: Order) -> dict[str, Any]:
-    items = [
+def packed_items(items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spacing) -> dict[str, Any]:
+    """Return what `unpacked_order` gives, as plain data."""
+    rows = [
         {
             "name": item.name,
             "outline": shapely.to_wkb(item.outline, hex=True),
@@ -154,19 +156,22 @@ def _packed_order(order: Order) -> dict[str, Any]:
             "grain_deg": item.grain_deg,
             "stock": item.stock,
         }
-        for item in order.items
+        for item in items
     ]
-    sheets = [
+    plates = [
         {
             "name": sheet.name,
             "outline": shapely.to_wkb(sheet.outline, hex=True),
             "grain_deg": sheet.grain_deg,
             "stock": sheet.stock,
         }
-        for sheet in order.sheets
+        for sheet in sheets
     ]
-    spacing = {"gap_mm": order.spacing.gap_mm, "margin_mm": order.spacing.margin_mm}
-    return {"items": items, "sheets": sheets, "spacing": spacing}
+    return {
+        "items": rows,
+        "sheets": plates,
+        "spacing": {"gap_mm": spacing.gap_mm, "margin_mm": spacing.margin_mm},
+    }
 
 
 def _polygons(content: dict[str, Any], keys: Sequence[str]) -> dict[str, Polygon]:

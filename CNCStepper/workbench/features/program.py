@@ -7,12 +7,13 @@ No recompute writes over it.
 from __future__ import annotations
 
 import hashlib
+from pathlib import Path
 from typing import Any
 
 from CNCStepper.errors import JobError
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.document.undo_observer import follow
-from CNCStepper.workbench.features.base import LINK, TEXT, Feature, Property, proxy_type
+from CNCStepper.workbench.features.base import LINK, TEXT, Feature, Property, edit, proxy_type
 from CNCStepper.workbench.services.translation import later
 
 PROGRAM = later("Program")
@@ -62,3 +63,20 @@ def is_of_a_file(obj: Any) -> bool:
 def job_behind(obj: Any) -> Any:
     """Return the job whose machine, stock and tools a program is for: an edited program's, else the object itself."""
     return obj.Job if proxy_type(obj) == Program.Type else obj
+
+
+def program_of_file(job: Any, path: Path) -> Any:
+    """Return the program with the text of a G-code file, for the machine, stock, tools and clamps of a job.
+
+    One that was read from the same file before takes its text. Raises JobError for a file that cannot be read.
+    """
+    text, _ = program_file.read(path)
+    obj = next((obj for obj in job.InList if is_of_a_file(obj) and obj.File == str(path)), None)
+    if obj is None:
+        obj = job.Document.addObject("App::FeaturePython", Program.Type)
+        Program(obj)
+        edit(obj, job=job)
+    obj.Label, obj.File = path.name, str(path)
+    program_file.store(obj, text)
+    job.Message = job.Message  # an output: nothing is out of date by that, but FreeCAD's tree looks at the job again
+    return obj

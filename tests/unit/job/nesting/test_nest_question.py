@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a window asks about a nest: shown, searched, filled, written; locked parts stay; a stop gives the best so far."""
+"""What a window asks about a nest: shown, searched, filled, written; locked parts stay; a stop gives what is found."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def test_filling_adds_parts_and_writing_judges_the_whole(tmp_path: Path) -> None
     assert written["missing"] == 2 and len(written["sheets"]) == 1 and written["density"] > 0.2
     moved = [list(row) for row in filled["parts"]]
     moved[1][2] += 0.7
-    with pytest.raises(GeometryError, match="too close|beyond"):
+    with pytest.raises(GeometryError, match=r"too close|beyond"):
         answer_of(asked("write", tmp_path / "bad", moved))
     assert not (tmp_path / "bad").exists()
 
