@@ -15,6 +15,7 @@ from CNCStepper.workbench import api
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.document.machine_of_job import machine_of
 from CNCStepper.workbench.features.base import problem_of
+from CNCStepper.workbench.features.program import is_of_a_file
 
 SQUARE = "G21 G90 G17\nM3 S1000\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F200\nG1 X20 F600\nG1 Y10\nG1 X0\nG1 Y0\nG0 Z5\nM5\nM2\n"
 
@@ -44,7 +45,7 @@ def test_a_file_and_a_program_become_the_program_of_the_core(document: Any, file
     copies = at_places(programs, [(10.0, 10.0, 0.0), (50.0, 10.0, 30.0), (10.0, 40.0, 0.0)])
     text, errors = arranged_and_checked(programs, copies, machine.language(), str(out), machine)
     assert errors == [] and out.read_text("utf-8") == text
-    made = next(each for each in document.Objects if getattr(each, "File", "") == str(out) and each.Job == job)
+    (made,) = (each for each in document.Objects if is_of_a_file(each) and each.File == str(out))
     assert program_file.load(made) == text
 
     program_file.store(program, SQUARE.replace("Y10", "Y12"))
@@ -78,7 +79,7 @@ def test_what_cannot_be_arranged_is_refused(document: Any, file: Path, tmp_path:
         ([], {}, [], "no program"),
         ([str(file)], {"sheet_x_mm": 0}, [], "sheet_x_mm"),
         ([str(file)], {}, [(0, 0.0, 0.0, 0.0), (0, 5.0, 0.0, 0.0)], "cut into each other"),
-        ([str(file)], {}, [(0, 1e5, 0.0, 0.0)], "travel"),
+        ([str(file)], {}, [(0, 0.0, 0.0, 0.0), (0, 1e4, 0.0, 0.0)], "travel"),
         ([str(file)], {"file": ""}, [(0, 0.0, 0.0, 0.0)], "no file"),
     ):
         arrangement = api.add_arrangement(job, programs, **{"file": str(tmp_path / "none.nc"), **values})

@@ -59,7 +59,7 @@ def test_drawings_become_sheets_that_operations_follow(document: Any, plate: Any
     assert lefts == pytest.approx([0.0, 250.0])
     job = api.new_job(document)
     outline = next(each for each in nest.Group[0].Group if each.Layer != "SHEET" and each.Shape.Length > 190)
-    operation = api.add_operation(job, "contour", drawings=[(outline, ())])
+    operation = api.add_operation(job, "contour", tool=api.add_tool(job), drawings=[(outline, ())])
     document.recompute()
     assert problem_of(operation) == ""
     of_operation = nested(document, [(operation, {"count": 2})], tmp_path / "again")

@@ -181,7 +181,9 @@ def test_an_empty_document_can_be_drawn_in(hand: Hand) -> None:
 
 def test_a_job_without_operations(hand: Hand) -> None:
     hand.main(lambda: api.new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, ARRANGE, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(
+        hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, ARRANGE, CONTROLLER, MACHINES, LETTERS
+    )
     assert reason(hand, SEND) == "Job has nothing to cut: add an operation"
     assert {reason(hand, name).partition(":")[0] for name in DRAWN} == {
         "Select the area to clear", "Select the lines to cut", "Select the lines to engrave",

@@ -17,6 +17,7 @@ from CNCStepper.workbench.features.base import LINK, TEXT, Feature, Property, ed
 from CNCStepper.workbench.services.translation import later
 
 PROGRAM = later("Program")
+ARRANGEMENT = "CNCStepper_Arrangement"
 
 
 class Program(Feature):
@@ -41,6 +42,13 @@ class Program(Feature):
         """Add what `obj` lacks, and see that it follows every undo."""
         super().add_properties(obj)
         follow()
+
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Let arrangements of this program say that it has changed; FreeCAD calls this at every change."""
+        if name == "Program" and "Restore" not in obj.State:
+            for each in obj.InList:
+                if proxy_type(each) == ARRANGEMENT:
+                    each.Proxy.execute(each)
 
     def make(self, obj: Any) -> None:
         """Say whether the job's own program is still the one that was edited; the text stays as it is."""
