@@ -4539,11 +4539,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Fill the sheet of the chosen part, or the first, with the marked part</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Fill the work surface with the marked program</source>
+            <source>Fill the sheet of the chosen one, or the first, with the marked row</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -4539,12 +4539,8 @@
             <translation>Preencher</translation>
         </message>
         <message>
-            <source>Fill the sheet of the chosen part, or the first, with the marked part</source>
-            <translation>Preencher a chapa da peça escolhida, ou a primeira, com a peça marcada</translation>
-        </message>
-        <message>
-            <source>Fill the work surface with the marked program</source>
-            <translation>Preencher a superfície de trabalho com o programa marcado</translation>
+            <source>Fill the sheet of the chosen one, or the first, with the marked row</source>
+            <translation>Preencher a chapa da escolhida, ou a primeira, com a linha marcada</translation>
         </message>
         <message>
             <source>Find</source>

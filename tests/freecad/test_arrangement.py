@@ -39,7 +39,7 @@ def test_a_file_and_a_program_become_the_program_of_the_core(document: Any, file
     assert problem_of(arrangement) == "" and arrangement.Placed == 3
     machine = machine_of(job)
     programs = [
-        program_of(f"{program.Label}.nc", SQUARE, 2, machine.language(), 1.0),
+        program_of(file.name, SQUARE, 2, machine.language(), 1.0),
         program_of(str(other), other.read_text("utf-8"), 1, machine.language(), 1.0),
     ]
     copies = at_places(programs, [(10.0, 10.0, 0.0), (50.0, 10.0, 30.0), (10.0, 40.0, 0.0)])

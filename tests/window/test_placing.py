@@ -106,9 +106,8 @@ def test_parts_are_nested_dragged_turned_locked_and_filled(hand: Hand, language:
         hand.fill("CNCStepper_Panel_time_s", "300")
         hand.fill("CNCStepper_Panel_folder", str(tmp_path / "chapas"))
         hand.click("CNCStepper_Panel_nest")
-        hand.wait(
-            lambda: "%" in hand.text("CNCStepper_Panel_nesting") if hand.exists("CNCStepper_Panel_nesting") else "", 30
-        )
+        hand.wait(lambda: hand.exists("CNCStepper_Panel_nesting"), 30, "the progress")
+        hand.wait(lambda: "%" in hand.find("CNCStepper_Panel_nesting").findChild(QtGui.QLabel).text(), 60)
         hand.click("CNCStepper_Panel_stop")
         nest = hand.main(of_type, document, "CNCStepper_Nest")
         hand.wait(lambda: nest.Placed == 3, 60, "the best so far after Stop")
@@ -140,10 +139,10 @@ def test_parts_are_nested_dragged_turned_locked_and_filled(hand: Hand, language:
 
     middle = hand.main(lambda: panel.nest.polygon(number).centroid.coords[0])
     drag_part(hand, middle, (240, 150))
-    hand.click("CNCStepper_Panel_turn")
+    hand.click("CNCStepper_Panel_turn_part")
     turned = hand.main(placed, panel)[number][4]
     assert turned != after[number][4]
-    hand.click("CNCStepper_Panel_lock")
+    hand.click("CNCStepper_Panel_lock_part")
     locked = hand.main(placed, panel)[number]
     assert locked[5] is True
     middle = hand.main(lambda: panel.nest.polygon(number).centroid.coords[0])
@@ -185,12 +184,12 @@ def test_programs_are_arranged_by_the_mouse(hand: Hand, language: str, tmp_path:
     hand.fill("CNCStepper_Panel_file", str(out))
     hand.click("CNCStepper_Panel_place")
     arrangement = hand.main(of_type, document, "CNCStepper_Arrangement")
-    hand.wait(lambda: hand.main(lambda: [each for each in [panel_or_none()] if each and len(each.rows()) == 2]), 60)
+    hand.wait(lambda: [each for each in [panel_or_none()] if each and len(each.rows()) == 2], 60, "the copies")
     panel = hand.main(panel_of)
     hand.settle()
     middle = hand.main(lambda: panel.nest.polygon(1).centroid.coords[0])
     drag_part(hand, middle, (90, 60))
-    hand.click("CNCStepper_Panel_turn")
+    hand.click("CNCStepper_Panel_turn_part")
     hand.shot(f"arrangement-{language}")
     rows = hand.main(placed, panel)
     assert rows[1][4] == 90.0 and hand.main(cut_texts) == []

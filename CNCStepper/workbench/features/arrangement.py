@@ -47,7 +47,7 @@ class Arrangement(Feature):
                  later("Jobs and programs of the document"), ()),
         Property("files", "Files", TEXT, PROGRAMS, later("Files"), later("G-code files"), "[]"),
         Property("counts", "Counts", TEXT, PROGRAMS, later("Counts"), later("How many of each are wanted"), "[]"),
-        Property("job", "Job", LINK, SURFACE, later("Job"), later("Its machine runs and checks the whole program")),
+        Property("job", "Job", LINK, PROGRAMS, later("Job"), later("Its machine runs and checks the whole program")),
         Property("sheet_x_mm", "SizeX", DISTANCE, SURFACE, later("Length X"), later("Of the work surface"), 600.0),
         Property("sheet_y_mm", "SizeY", DISTANCE, SURFACE, later("Width Y"), later("Of the work surface"), 400.0),
         Property("gap_mm", "Gap", DISTANCE, SURFACE, later("Gap"), later("Between the cuts of two copies"), 5.0),
@@ -165,7 +165,8 @@ def asked_of(obj: Any, verb: str, **more: Any) -> dict[str, Any]:
 def _told(source: Any, count: int) -> dict[str, Any]:
     if isinstance(source, Path):
         return {"file": str(source), "count": count}
-    return {"name": f"{source.Label}.nc", "text": program_file.load(source), "count": count}
+    label = str(source.Label)
+    return {"name": label if Path(label).suffix else f"{label}.nc", "text": program_file.load(source), "count": count}
 
 
 def take_answer(obj: Any, answer: dict[str, Any]) -> None:

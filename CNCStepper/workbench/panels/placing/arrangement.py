@@ -57,12 +57,11 @@ class ArrangementPanel(PlacingPanel):
         )
         of_places = (
             ("place", tr("Place"), tr("Place all copies that are not locked"), self.place),
-            ("fill", tr("Fill"), tr("Fill the work surface with the marked program"), self.fill),
             ("write", tr("Write program"), tr("Write the one checked program of all copies"), self.write),
         )
-        for widget in (self.table, button_row(of_programs, editor)):
+        for widget in (self.table, button_row(of_programs[:2], editor), button_row(of_programs[2:], editor)):
             editor.form.add_widget(PROGRAMS, widget)
-        made = (self.note, button_row(of_places, editor), self.chosen_label, self.why, self.hand_buttons())
+        made = (self.note, button_row(of_places, editor), self.chosen_label, self.why, *self.hand_buttons())
         for widget in made:
             editor.form.add_widget(MADE, widget)
         self.fill_table()

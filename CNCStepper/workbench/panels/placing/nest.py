@@ -59,12 +59,6 @@ class NestPanel(PlacingPanel):
         of_parts = (
             ("add_part", tr("Add…"), tr("Add drawings, sketches or operations of the document"), self.ask_parts),
             ("drop_part", tr("Leave out"), tr("Take the marked rows out of the nest"), self.drop_parts),
-            (
-                "fill",
-                tr("Fill"),
-                tr("Fill the sheet of the chosen part, or the first, with the marked part"),
-                self.fill,
-            ),
         )
         of_rests = (
             ("add_rest", tr("Remnant…"), tr("Use a drawing of a rest of a sheet first"), self.ask_remnants),
@@ -79,7 +73,7 @@ class NestPanel(PlacingPanel):
             form.add_widget(PARTS, widget)
         for widget in (self.remnants, button_row(of_rests, editor)):
             form.add_widget(SHEETS, widget)
-        made = (self.note, button_row(of_search, editor), self.chosen_label, self.why, self.hand_buttons())
+        made = (self.note, button_row(of_search, editor), self.chosen_label, self.why, *self.hand_buttons())
         for widget in (*made, self.summary, self.warnings):
             form.add_widget(MADE, widget)
         self.fill_table()

@@ -14,7 +14,8 @@ from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
 FEWEST_ROWS, MOST_ROWS = 3, 8  # that are seen at once
-NAME_PX = 90
+NAME_PX = 60
+PLACED, FIRST_CELL = 1, 2  # columns behind that of the name
 
 
 @dataclass(frozen=True)
@@ -37,10 +38,11 @@ class PartTable(QtGui.QTableWidget):
         super().__init__(0, len(columns) + 2, parent)
         self.columns = tuple(columns)
         self.setObjectName(f"{NAME}_parts")
-        self.setHorizontalHeaderLabels([tr("Part"), *(column.title for column in columns), tr("Placed")])
-        for number, column in enumerate(columns, start=1):
+        self.setHorizontalHeaderLabels([tr("Part"), tr("Placed"), *(column.title for column in columns)])
+        for number, column in enumerate(columns, start=FIRST_CELL):
             self.horizontalHeaderItem(number).setToolTip(column.tip)
         self.verticalHeader().hide()
+        self.setAutoScroll(False)  # the names stay in sight when a cell is typed into
         self.setSelectionBehavior(QtGui.QAbstractItemView.SelectionBehavior.SelectRows)
         self.setEditTriggers(QtGui.QAbstractItemView.EditTrigger.NoEditTriggers)
         self._cells: list[list[Any]] = []
@@ -51,9 +53,9 @@ class PartTable(QtGui.QTableWidget):
         self.setRowCount(len(names))
         for number, (name, row) in enumerate(zip(names, rows, strict=True)):
             self.setItem(number, 0, QtGui.QTableWidgetItem(name))
-            self.setItem(number, len(self.columns) + 1, QtGui.QTableWidgetItem(""))
+            self.setItem(number, PLACED, QtGui.QTableWidgetItem(""))
             cells = [self._cell(column, row[column.key], number) for column in self.columns]
-            for place, cell in enumerate(cells, start=1):
+            for place, cell in enumerate(cells, start=FIRST_CELL):
                 self.setCellWidget(number, place, cell)
             self._cells.append(cells)
         self.resizeColumnsToContents()
@@ -72,10 +74,10 @@ class PartTable(QtGui.QTableWidget):
     def show_counts(self, counts: Sequence[tuple[int, int]]) -> None:
         """Show how many of each row lie there and are wanted; too few are red."""
         for number, (lie, wanted) in enumerate(counts[: self.rowCount()]):
-            item = self.item(number, len(self.columns) + 1)
+            item = self.item(number, PLACED)
             item.setText(f"{lie} / {wanted}")
             item.setForeground(QtGui.QColor(ERROR_COLOUR) if lie < wanted else self.palette().text())
-        self.resizeColumnToContents(len(self.columns) + 1)
+        self.resizeColumnToContents(PLACED)
 
     def set_cell(self, row: int, key: str, value: int) -> None:
         """Show another number in a cell."""

@@ -39,14 +39,21 @@ class PlacingPanel(BackgroundPanel):
         self.chosen_label.setWordWrap(True)
         self._hidden: list[Any] = []  # what the nodes are seen in place of
 
-    def hand_buttons(self) -> Any:
-        """Return the row of buttons for the chosen part."""
-        texts = (
-            ("turn", tr("Turn"), tr("Turn the chosen part to its next rotation"), self.turn),
-            ("lock", tr("Lock"), tr("A locked part stays where it is; press again to unlock it"), self.lock),
-            ("remove", tr("Take away"), tr("Take the chosen part from its sheet"), self.remove),
+    def hand_buttons(self) -> list[Any]:
+        """Return the rows of buttons for the chosen part, and the one that fills."""
+        first = (
+            ("turn_part", tr("Turn"), tr("Turn the chosen part to its next rotation"), self.turn),
+            ("lock_part", tr("Lock"), tr("A locked part stays where it is; press again to unlock it"), self.lock),
         )
-        return button_row(texts, self.editor)
+        second = (
+            ("fill", tr("Fill"), tr("Fill the sheet of the chosen one, or the first, with the marked row"), self.fill),
+            ("remove_part", tr("Take away"), tr("Take the chosen part from its sheet"), self.remove),
+        )
+        return [button_row(first, self.editor), button_row(second, self.editor)]
+
+    def fill(self) -> None:
+        """Fill a sheet with more of one row of the table."""
+        raise NotImplementedError
 
     def show_nest(
         self, items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spacing, parts: Sequence[PlacedPart]

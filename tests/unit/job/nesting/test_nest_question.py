@@ -60,7 +60,7 @@ def test_a_search_keeps_locked_parts_and_writes_the_sheets(tmp_path: Path) -> No
 def test_filling_adds_parts_and_writing_judges_the_whole(tmp_path: Path) -> None:
     shown = answer_of(asked("show", tmp_path / "no"))
     assert shown["parts"] == [] and not (tmp_path / "no").exists()
-    filled = answer_of(asked("fill", tmp_path / "no", [[0, 0, 5.0, 5.0, 0.0, False]], item=1, sheet=0))
+    filled = answer_of(asked("fill", tmp_path / "no", [[0, 0, 5.0, 5.0, 0.0, False]], item=1, sheet=0, time_s=60.0))
     assert len(filled["parts"]) > 20 and {row[1] for row in filled["parts"][1:]} == {1}
     written = answer_of(asked("write", tmp_path / "out", filled["parts"]))
     assert written["missing"] == 2 and len(written["sheets"]) == 1 and written["density"] > 0.2
@@ -72,11 +72,12 @@ def test_filling_adds_parts_and_writing_judges_the_whole(tmp_path: Path) -> None
 
 
 def test_a_stopped_search_gives_what_it_has(tmp_path: Path) -> None:
-    stopped = Event()
+    stopped, shares = Event(), list[float]()
     Timer(1.0, stopped.set).start()
     begun_s = time.monotonic()
-    answer = answer_of(asked("search", tmp_path, time_s=60.0), stopped=stopped)
+    answer = answer_of(asked("search", tmp_path, time_s=60.0), shares.append, stopped)
     assert time.monotonic() - begun_s < 20.0
+    assert len(shares) > 5 and shares == sorted(shares), "whatever it does it reports, and so looks for a stop"
     assert len(parts_of(answer["parts"])) + answer["missing"] == 5
 
 
