@@ -4,6 +4,18 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>0: one degree less than the flank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>1 to 9, where the tip lies; 0: by kind and hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>1: equal depths; 2: equal areas of chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A TrueType or OpenType file, instead of the font</source>
             <translation type="unfinished"></translation>
         </message>
@@ -96,6 +108,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along Z, along X or along the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along a line or arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -120,6 +136,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Approach</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arc Centre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -133,6 +157,14 @@
         </message>
         <message>
             <source>Arc Sweep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -164,6 +196,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Around the jaws; 0: no jaws stand out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>As a multiple of the thickness; 0: none by thickness</source>
             <translation type="unfinished"></translation>
         </message>
@@ -172,7 +208,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Back Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Back edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Before zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -192,7 +248,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the flanks of a threading tool; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the front edge and the feed, given by the holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -220,6 +288,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -236,7 +308,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>By which the radius grows towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Canned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Canned cycles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Centre Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Centre Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Centre Hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -257,6 +353,14 @@
         </message>
         <message>
             <source>Chip Load Min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chuck Diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -416,6 +520,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Crest diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Current</source>
             <translation type="unfinished"></translation>
         </message>
@@ -444,6 +552,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cut Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -464,6 +576,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Degression</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Deleted Drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -477,6 +593,10 @@
         </message>
         <message>
             <source>Depth Of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth of cut ap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -497,6 +617,14 @@
         </message>
         <message>
             <source>Direction</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distance Mode</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distances</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -548,11 +676,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Edge Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Edge Margin</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Edge length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Edge margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Edges</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -584,6 +724,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Entering angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation type="unfinished"></translation>
         </message>
@@ -612,6 +756,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Face Stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fastest spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Faults</source>
             <translation type="unfinished"></translation>
         </message>
@@ -620,7 +772,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Feed Per Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Feed Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed and speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -633,6 +793,10 @@
         </message>
         <message>
             <source>Feed of holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed per turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -668,11 +832,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First Depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First corner</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Floor diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -701,6 +877,10 @@
         </message>
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For the forces; empty: they are not figured</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -736,6 +916,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a cut to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -760,11 +944,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From that wall towards the end face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the chuck's face to the finished end face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From the middle of the circle to the holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>From the tip to the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the work zero (G90), or from the point before (G91)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From there towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Front Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Front edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -792,11 +1000,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Greatest Depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Greatest depth of cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -836,6 +1060,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -861,6 +1089,14 @@
         </message>
         <message>
             <source>How deep one peck goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How deep one peck goes; 0: in one go</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a bar or drill gets along Z, a blade along X; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -908,7 +1144,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far before the material a rapid ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far behind the pierce the power is full</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far chords may leave an arc, where the controller has no arcs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -944,11 +1188,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far the jaws stand out of the chuck's face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the kerf of a way through the scrap stays from every part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the raw end lies before the finished end face, where Z is 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1060,6 +1312,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many; 0: those of the designation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1108,6 +1364,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How the tool is fed in from pass to pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How the tool leaves the contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1121,6 +1381,10 @@
         </message>
         <message>
             <source>Identity</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In front of the thread, where the tool catches up with the spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1140,7 +1404,39 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Infeed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Infeed Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Infeed angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Into which a boring bar fits; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Invert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its code of ISO 1832, such as CNMG 120408; empty: by its angles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its designation: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1149,6 +1445,18 @@
         </message>
         <message>
             <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jaw Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jaw diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jaws</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1208,6 +1516,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lead Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lead In Angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1260,11 +1572,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the face for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the profile, normal to it, for another operation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1472,6 +1800,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Metres a minute at the bar's diameter; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle, where the operation says nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle; 0: the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert needs; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert takes; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Minor</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1488,7 +1836,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Most Turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Narrow arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nose Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nose radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1512,6 +1872,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of a drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a parting blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of a sheet of material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1521,6 +1889,10 @@
         </message>
         <message>
             <source>Of its curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of its tip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1544,6 +1916,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the cutting edges; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the font, such as Bold; empty: the regular one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1553,6 +1929,14 @@
         </message>
         <message>
             <source>Of the sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the tip below the finished end face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the tip; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1592,7 +1976,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Orientation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Other corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Out of the hole for each peck, or to break the chip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1645,6 +2037,10 @@
         </message>
         <message>
             <source>Passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Passes along</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1864,6 +2260,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pull Out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Quarter turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1917,6 +2321,10 @@
         </message>
         <message>
             <source>Ramp length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reach</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1992,6 +2400,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Right hand cuts towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rotation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2021,6 +2433,10 @@
         </message>
         <message>
             <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shank</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2152,6 +2568,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Smallest Bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Smallest bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Smooth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2188,6 +2612,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spindle turns a minute; 0: by the surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spindle turns a minute; 0: that of the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2212,11 +2644,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spring Passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spring passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Start By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Starts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2284,6 +2740,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Surface Speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sweep</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2313,6 +2777,14 @@
         </message>
         <message>
             <source>Tabs Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tailstock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tailstock By</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2368,7 +2840,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The depth of one pass at most, on the radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The depth of one pass at most; 0: all at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The depth of the first pass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2376,11 +2856,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter at which the cut ends; 0: over the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of a boring bar; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the centre hole; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The diameter of the cutter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter of the floor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the raw bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the surface into which it is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the tailstock's centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The diameter of the tool holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the back edge away from the nose, from Z+ towards X+</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the front edge away from the nose, from Z+ towards X+</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2424,6 +2944,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The feed of the program, in millimetres a turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The file of a cut chart of your own; empty: the chart that ships</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2444,7 +2968,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The half profile that it turns: a sketch, edges, a solid or points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The half profile whose diameter the thread has; without it the usual fit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The inner diameter of a tube</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2485,6 +3021,18 @@
         </message>
         <message>
             <source>The length of the lead's line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length over which the tool comes out at the end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length that the part keeps, below zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The limit of the surface speed; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2656,6 +3204,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The tool's X when the program begins, as radius or diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool's Z when the program begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tools that operations may choose from</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2665,6 +3221,10 @@
         </message>
         <message>
             <source>The torch above the sheet while it pierces; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The wall towards the chuck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2692,6 +3252,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of the picture; 0: as its resolution says</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2709,6 +3273,10 @@
         </message>
         <message>
             <source>Thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thread</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2748,7 +3316,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tip orientation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>To</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2777,6 +3361,14 @@
         </message>
         <message>
             <source>Tools without feeds or speed use its table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Top Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Top diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2816,6 +3408,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Wall Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wall feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2832,11 +3428,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the X of a row is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the height is measured of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the insert takes, on the radius; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the letters stand on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the program's X is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the tool is for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2849,6 +3461,10 @@
         </message>
         <message>
             <source>What was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where it begins; 0: that of the profile or the usual fit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2865,6 +3481,10 @@
         </message>
         <message>
             <source>Where the drawings are written; empty: beside the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the face lies when it is cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2896,6 +3516,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the thread begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the tool is when the program begins: clear of the raw end, or given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a centre holds the raw end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether a laser's power follows its speed (M4)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2916,6 +3548,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether it works in a bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2933,6 +3569,14 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether their directions are those of insert and holder, or given by two angles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether threads are written as G76, where the controller has it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2972,7 +3616,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X; Z of each point from the end face to the chuck; then chamfer, fillet, cw or ccw</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>XIs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z of the faces or of the section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z of the wall</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3035,11 +3699,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>0: one degree less than the flank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>0° to 270°</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>0°, 180°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>1 to 9, where the tip lies; 0: by kind and hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>1: equal depths; 2: equal areas of chip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3463,6 +4139,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along Z, along X or along the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along Z, mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3511,6 +4191,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Approach</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arc slot</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3532,6 +4216,10 @@
         </message>
         <message>
             <source>Arcs within a tolerance, or the published points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Around the jaws; 0: no jaws stand out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3567,6 +4255,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Attached again to the controller at {0}.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3595,6 +4287,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Back edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Back from here to the begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3607,7 +4303,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Base</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Before zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3647,7 +4351,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the flanks of a threading tool; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the front edge and the feed, given by the holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3707,6 +4423,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>By which the radius grows towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bytes ahead at most</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3716,6 +4436,10 @@
         </message>
         <message>
             <source>Cancel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Canned cycles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3800,6 +4524,10 @@
         </message>
         <message>
             <source>Choose one here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chuck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4011,6 +4739,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Crest diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cross</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4099,6 +4831,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Degression</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Delete a point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4112,6 +4848,10 @@
         </message>
         <message>
             <source>Depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth of cut ap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4212,6 +4952,10 @@
         </message>
         <message>
             <source>Distance of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distances</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4327,7 +5071,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Edge length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Edge margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Edges</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4407,6 +5159,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Entering angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4483,11 +5239,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Fastest spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Faults</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed and speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4500,6 +5264,10 @@
         </message>
         <message>
             <source>Feed of holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed per turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4579,6 +5347,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First eye</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4619,6 +5391,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Floor diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Flute length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4652,6 +5428,10 @@
         </message>
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For the forces; empty: they are not figured</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4715,6 +5495,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a cut to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4763,11 +5547,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From that wall towards the end face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From the base to the eye's middle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>From the bore's bottom to the keyway's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the chuck's face to the finished end face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4799,7 +5591,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From the work zero (G90), or from the point before (G91)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From there towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From tooth to tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Front edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4915,7 +5719,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Greatest depth of cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5087,6 +5899,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How deep one peck goes; 0: in one go</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a bar or drill gets along Z, a blade along X; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far a closed cut is followed with power beyond its begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5131,7 +5951,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far before the material a rapid ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far behind the pierce the power is full</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far chords may leave an arc, where the controller has no arcs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5179,11 +6007,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far the jaws stand out of the chuck's face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the kerf of a way through the scrap stays from every part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the raw end lies before the finished end face, where Z is 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5319,6 +6155,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many; 0: those of the designation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5367,6 +6207,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How the tool is fed in from pass to pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How the tool leaves the contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5399,6 +6243,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>In front of the thread, where the tool catches up with the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>In holes, or round bosses</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5427,6 +6275,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Infeed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Infeed angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Inner diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5439,6 +6295,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Inside of the hook</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5448,6 +6312,10 @@
         </message>
         <message>
             <source>Interval of pulses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Into which a boring bar fits; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5471,6 +6339,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its code of ISO 1832, such as CNMG 120408; empty: by its angles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its designation: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its direction that lies along the grain of the material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5484,6 +6360,14 @@
         </message>
         <message>
             <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jaw diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jaws</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5627,6 +6511,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least wait</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5640,6 +6528,14 @@
         </message>
         <message>
             <source>Leave out of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the face for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the profile, normal to it, for another operation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5919,7 +6815,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Metres a minute at the bar's diameter; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Microsteps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle, where the operation says nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle; 0: the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert needs; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert takes; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6111,6 +7027,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nose radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Not certain</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6171,6 +7091,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of a drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a parting blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of a sheet of material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6180,6 +7108,10 @@
         </message>
         <message>
             <source>Of its curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of its tip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6203,6 +7135,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the cutting edges; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the driver, in a full step</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6220,6 +7156,14 @@
         </message>
         <message>
             <source>Of the sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the tip below the finished end face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the tip; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6323,6 +7267,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Out of the hole for each peck, or to break the chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outer diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6403,10 +7351,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Part</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6428,6 +7372,10 @@
         </message>
         <message>
             <source>Passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Passes along</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6500,6 +7448,10 @@
         </message>
         <message>
             <source>Place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6675,6 +7627,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pulley's teeth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6804,6 +7760,10 @@
         </message>
         <message>
             <source>Ratchet wheel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reach</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7015,6 +7975,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Right hand cuts towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Ring</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7187,6 +8151,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7331,6 +8299,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Smallest bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Smooth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7375,6 +8347,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spindle turns a minute; 0: by the surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spindle turns a minute; 0: that of the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7384,6 +8364,10 @@
         </message>
         <message>
             <source>Spot time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spring passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7407,6 +8391,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Start X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7416,6 +8408,10 @@
         </message>
         <message>
             <source>Starting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Starts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7499,6 +8495,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sweep</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7532,6 +8532,10 @@
         </message>
         <message>
             <source>Tag</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tailstock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7695,7 +8699,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The depth of one pass at most, on the radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The depth of one pass at most; 0: all at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The depth of the first pass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7703,11 +8715,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter at which the cut ends; 0: over the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of a boring bar; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the centre hole; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The diameter of the cutter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter of the floor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the raw bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the surface into which it is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the tailstock's centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The diameter of the tool holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the back edge away from the nose, from Z+ towards X+</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the front edge away from the nose, from Z+ towards X+</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7755,6 +8807,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The feed of the program, in millimetres a turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The file has a new layout: its comments are not in it.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7783,7 +8839,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The half profile that it turns: a sketch, edges, a solid or points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The half profile whose diameter the thread has; without it the usual fit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The inner diameter of a tube</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7847,7 +8915,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The length over which the tool comes out at the end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length that the part keeps, below zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The letters start at the machine's position.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The limit of the surface speed; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8191,6 +9271,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The tool's X when the program begins, as radius or diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool's Z when the program begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tools that operations may choose from</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8204,6 +9292,10 @@
         </message>
         <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The wall towards the chuck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8228,6 +9320,10 @@
         </message>
         <message>
             <source>The width of the cut; 0: that of the cut chart or the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the holder; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8343,7 +9439,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tip orientation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>To</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8419,6 +9527,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Top diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Torch off before</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8468,6 +9580,10 @@
         </message>
         <message>
             <source>Turn the chosen part to its next rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8595,11 +9711,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the X of a row is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the height is measured of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the insert takes, on the radius; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the letters stand on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the program's X is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the tool is for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8612,6 +9744,10 @@
         </message>
         <message>
             <source>What was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where it begins; 0: that of the profile or the usual fit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8628,6 +9764,10 @@
         </message>
         <message>
             <source>Where the drawings are written; empty: beside the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the face lies when it is cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8659,6 +9799,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the thread begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the tool is when the program begins: clear of the raw end, or given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a centre holds the raw end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether a laser's power follows its speed (M4)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8679,6 +9831,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether it works in a bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8696,6 +9852,14 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether their directions are those of insert and holder, or given by two angles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether threads are written as G76, where the controller has it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8803,6 +9967,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>X times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8823,6 +9991,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X; Z of each point from the end face to the chuck; then chamfer, fillet, cw or ccw</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>XPS foam</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8835,7 +10007,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Z of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z of the faces or of the section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z of the wall</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8875,6 +10055,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>absolute (G90)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>acrylic, cast</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8895,7 +10079,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>along X (as G72)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>along Z (as G71)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>along the flank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>along the profile (as G73)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>along the walls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>alternating flanks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9035,7 +10239,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bolt circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9064,6 +10276,10 @@
         </message>
         <message>
             <source>by numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>by two angles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9156,6 +10372,10 @@
         </message>
         <message>
             <source>depth of a peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9332,6 +10552,10 @@
         </message>
         <message>
             <source>incremental</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>incremental (G91)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9535,6 +10759,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>off</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9564,6 +10792,10 @@
         </message>
         <message>
             <source>our planner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>out of the hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9604,6 +10836,10 @@
         </message>
         <message>
             <source>paper</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parting and grooving</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9688,6 +10924,14 @@
         </message>
         <message>
             <source>quadratic spline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radial</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9883,6 +11127,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>time, number or turns, as the code has it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9891,11 +11139,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>to break the chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>to the nearest edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>tool {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tube</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning outside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10194,11 +11454,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{drawing}' has more than one solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>'{drawing}' is a solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{drawing}' is no profile by points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10226,11 +11494,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{label}' does not lie in a plane through the lathe's axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{label}' has a hollow that no tool can enter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{label}' is drawn where '{other}' is, and counts once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{label}' is no solid of revolution</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{line}' is no row of a profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10255,6 +11539,10 @@
         </message>
         <message>
             <source>'{out}' is drawn where '{kept}' is, and counts once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{part}' in '{line}' says nothing of a corner or an arc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11402,6 +12690,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a face of '{label}' does not run round the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a face's normal passes the axis by {passed:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a fault of the program: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11738,7 +13034,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a profile is made of edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile must be one chain of lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a profile needs points or dxf, one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile needs two points or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12442,6 +13750,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at {z:.4g} mm along the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at {z:.4g} mm along the axis, radius {r:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12834,6 +14150,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose a sketch, edges, a solid of revolution or points for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose a sketch, wire, B-spline or freehand line for it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12922,6 +14242,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose one of them, or join them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose one of: {choices}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12979,6 +14303,10 @@
         </message>
         <message>
             <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it in the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13427,6 +14755,14 @@
         </message>
         <message>
             <source>draw it on the XY plane or on one parallel to it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw it on the XZ plane, with X as the radius and Z along the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw its half profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14342,6 +15678,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it has no face with an axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it has no face {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15139,6 +16479,10 @@
         </message>
         <message>
             <source>make Q larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make a profile by points and choose that</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16215,6 +17559,10 @@
         </message>
         <message>
             <source>peck_mm {peck_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pick edges only, or the whole object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17330,7 +18678,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take out the axis and the line at the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out the inner (</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out what is not turned (keyways, flats, cross holes), or draw its half profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19134,6 +20490,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the part has no bore that opens at its front end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19342,6 +20702,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the profile is closed: it has no end at the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile is smaller than its allowance</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19447,6 +20811,10 @@
         </message>
         <message>
             <source>the program needs more than one tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program of a lathe cannot be restarted in its middle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20758,6 +22126,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tool {number} is not quite that of its file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {number} is unknown, so that its cuts are not checked</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20795,6 +22167,14 @@
         </message>
         <message>
             <source>try it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn it round, or take its outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn the part from its beginning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21494,6 +22874,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write X; Z of each in a row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write X; Z, then for example chamfer 1 or ccw radius 7</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write [MATERIAL_NUMBER_n] and below it lines such as: CUT_SPEED = 3850</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21583,6 +22971,10 @@
         </message>
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write chamfer, fillet, cw radius, ccw radius or cw centre with their numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21955,6 +23347,10 @@
         </message>
         <message>
             <source>{asked}; a {other} is used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{away:.4g} mm beside it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22658,11 +24054,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{obj} follows one profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{obj} has no '{unknown}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{obj} has no drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{obj} has no profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22907,6 +24311,10 @@
         </message>
         <message>
             <source>{what}, not {value}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}, at X {x:.4g} Y {y:.4g} Z {z:.4g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -56,7 +56,7 @@ class ArrangementPanel(PlacingPanel):
             ("drop_part", tr("Leave out"), tr("Take the marked rows out"), self.drop_programs),
         )
         of_places = (
-            ("place", tr("Place"), tr("Place all copies that are not locked"), self.place),
+            ("place", tr("Place all"), tr("Place all copies that are not locked"), self.place),
             ("write", tr("Write program"), tr("Write the one checked program of all copies"), self.write),
         )
         for widget in (self.table, button_row(of_programs[:2], editor), button_row(of_programs[2:], editor)):

@@ -38,7 +38,7 @@ class PartTable(QtGui.QTableWidget):
         super().__init__(0, len(columns) + 2, parent)
         self.columns = tuple(columns)
         self.setObjectName(f"{NAME}_parts")
-        self.setHorizontalHeaderLabels([tr("Part"), tr("Placed"), *(column.title for column in columns)])
+        self.setHorizontalHeaderLabels([tr("Name"), tr("Placed"), *(column.title for column in columns)])
         for number, column in enumerate(columns, start=FIRST_CELL):
             self.horizontalHeaderItem(number).setToolTip(column.tip)
         self.verticalHeader().hide()
