@@ -29,7 +29,6 @@ from CNCStepper.errors import CNCStepperError, JobError, OutputError, Place, Tex
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document import program_file
-from CNCStepper.workbench.features.arrangement import Arrangement, set_sources
 from CNCStepper.workbench.features.base import Feature, edit, require_parts
 from CNCStepper.workbench.features.catalogue import operation_class
 from CNCStepper.workbench.features.drawings.drawing import Drawing
@@ -41,6 +40,7 @@ from CNCStepper.workbench.features.freehand import Freehand
 from CNCStepper.workbench.features.job import Job
 from CNCStepper.workbench.features.preview import Preview
 from CNCStepper.workbench.features.program import Program, fingerprint, program_of_file
+from CNCStepper.workbench.features.programs.arrangement import Arrangement, set_sources
 from CNCStepper.workbench.features.tool import Tool
 from CNCStepper.workbench.features.turning.lathe_job import LatheJob
 from CNCStepper.workbench.features.turning.turning_profile import TurningProfile

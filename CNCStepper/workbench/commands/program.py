@@ -80,7 +80,7 @@ class Arrange(Command):
 def _arrangement(job: Any, selected: list[Any]) -> Any:
     """Return an arrangement of those of some objects that have programs, else of the job's."""
     from CNCStepper.workbench import api
-    from CNCStepper.workbench.features.arrangement import is_source
+    from CNCStepper.workbench.features.programs.arrangement import is_source
 
     found = [each for each in selected if is_source(each)] or [each for each in [job] if is_source(each)]
     return labelled(api.add_arrangement(job, found), tr("Arrangement"))

@@ -8,7 +8,7 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, Place
 from CNCStepper.workbench.document.drawing_work import DrawingWork
-from CNCStepper.workbench.features.arrangement import asked_of, take_answer
+from CNCStepper.workbench.features.programs.arrangement import asked_of, take_answer
 
 
 class Arranging(DrawingWork):

@@ -11,7 +11,7 @@ from PySide import QtGui
 
 from CNCStepper.job.nesting import nest_question
 from CNCStepper.workbench.document.arrange_files import Arranging
-from CNCStepper.workbench.features.arrangement import (
+from CNCStepper.workbench.features.programs.arrangement import (
     MADE,
     PROGRAMS,
     counts_of,
