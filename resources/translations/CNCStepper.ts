@@ -244,6 +244,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
@@ -297,6 +301,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -416,6 +424,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Core Diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -497,6 +513,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -633,6 +653,14 @@
         </message>
         <message>
             <source>Drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -784,6 +812,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation type="unfinished"></translation>
         </message>
@@ -888,6 +920,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -940,6 +976,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -953,6 +993,10 @@
         </message>
         <message>
             <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1220,6 +1264,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many of each are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many parts are cut free</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1392,6 +1440,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1409,6 +1461,10 @@
         </message>
         <message>
             <source>Job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1728,6 +1784,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Mend</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1769,6 +1829,10 @@
         </message>
         <message>
             <source>Minor Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1817,6 +1881,10 @@
         </message>
         <message>
             <source>Of a sheet of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of each part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1869,6 +1937,10 @@
         </message>
         <message>
             <source>Of the tip; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1948,7 +2020,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part Values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2072,6 +2156,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2176,6 +2268,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2249,6 +2345,10 @@
         </message>
         <message>
             <source>Registration holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2356,6 +2456,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheet Grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet X</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2368,6 +2472,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheets There</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheets of material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2377,6 +2485,10 @@
         </message>
         <message>
             <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2393,6 +2505,14 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2784,6 +2904,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2960,6 +3084,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The place of the work zero in this document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2989,6 +3117,10 @@
         </message>
         <message>
             <source>The program, kept in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The programs and their places</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3220,6 +3352,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3248,6 +3384,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3261,6 +3401,10 @@
         </message>
         <message>
             <source>Unreachable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3332,6 +3476,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3345,6 +3493,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3452,6 +3608,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3548,6 +3708,14 @@
         </message>
         <message>
             <source>0: one degree less than the flank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0° to 270°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0°, 180°</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3680,6 +3848,10 @@
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A locked part stays where it is; press again to unlock it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3875,7 +4047,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a G-code file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add drawings, sketches or operations of the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3900,6 +4084,10 @@
         </message>
         <message>
             <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3928,6 +4116,10 @@
         </message>
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4047,6 +4239,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arrangement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arranging…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arrow</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4163,6 +4363,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4224,6 +4428,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4499,6 +4707,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Copy of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4544,6 +4760,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4803,11 +5023,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Drag knife</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drag parts in the view; with Shift they turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4840,6 +5068,14 @@
         </message>
         <message>
             <source>Drawings ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4940,6 +5176,10 @@
         </message>
         <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End the search with the best so far</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5107,6 +5347,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill the sheet of the chosen one, or the first, with the marked row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5132,6 +5388,10 @@
         </message>
         <message>
             <source>Finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5303,6 +5563,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a folder…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5439,6 +5703,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>G73 pecks, chips</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5520,6 +5788,10 @@
         </message>
         <message>
             <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5883,6 +6155,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5908,6 +6184,10 @@
         </message>
         <message>
             <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many of each are wanted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6179,7 +6459,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its direction that lies along the grain of the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its machine runs and checks the whole program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6208,6 +6496,10 @@
         </message>
         <message>
             <source>Jobs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6343,6 +6635,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leave out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Leave out of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6472,6 +6768,10 @@
         </message>
         <message>
             <source>Load {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6619,6 +6919,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6672,6 +6976,10 @@
         </message>
         <message>
             <source>Mirror…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6775,7 +7083,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nesting the pieces: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6828,6 +7148,10 @@
         </message>
         <message>
             <source>No place is chosen yet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>None</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6911,6 +7235,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of each part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6968,6 +7296,10 @@
         </message>
         <message>
             <source>Of the tip; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7163,6 +7495,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parts of a larger number are placed first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7243,7 +7587,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Place all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all copies that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all parts that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Place of the mirror, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7471,6 +7835,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7628,6 +7996,18 @@
         </message>
         <message>
             <source>Remaining</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnant…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7968,6 +8348,10 @@
         </message>
         <message>
             <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8319,6 +8703,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8335,11 +8723,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the chosen part from its sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the dial's reading from both sides first.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Take the line numbers out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out of the nest</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8524,6 +8924,10 @@
         </message>
         <message>
             <source>The direction of the front edge away from the nose, from Z+ towards X+</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the material's grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8811,6 +9215,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The path of the last job is read…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8883,6 +9291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The programs and their places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of loops at sharp outside corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8900,6 +9312,10 @@
         </message>
         <message>
             <source>The retract along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rotations in which it may lie</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9103,6 +9519,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>There is nothing that fits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9243,6 +9663,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tool length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9323,6 +9747,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn the chosen part to its next rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9387,11 +9819,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use a drawing of a rest of a sheet first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Use the tool of the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use whole sheets only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>V-bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9495,6 +9939,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9508,6 +9956,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9671,7 +10127,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the one checked program of all copies</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9852,6 +10320,10 @@
         </message>
         <message>
             <source>angle about Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>any</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10352,6 +10824,10 @@
         </message>
         <message>
             <source>lines in one direction</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>locked</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11067,6 +11543,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} parts on {1} sheets, {2} missing; the sheets are used to {3} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11136,6 +11616,10 @@
         </message>
         <message>
             <source>{0}:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: X {1}, Y {2}, {3}°</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11275,6 +11759,10 @@
         </message>
         <message>
             <source>'{line}' is no row of a profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{name}' holds no lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12746,6 +13234,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a part or a value has changed since the parts were nested</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12835,6 +13327,10 @@
         </message>
         <message>
             <source>a program on the controller stopped at an error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program or a value has changed since they were arranged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13194,6 +13690,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add jobs, programs or files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13391,6 +13891,10 @@
         </message>
         <message>
             <source>arcs outside the plane XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arrange them again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13982,6 +14486,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14019,6 +14527,10 @@
         </message>
         <message>
             <source>choose other values, or try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose the job whose machine runs it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15666,6 +16178,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it was not placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16698,6 +17214,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nest them again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16831,6 +17351,10 @@
         </message>
         <message>
             <source>no parallel curve that far inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no part is chosen</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17422,6 +17946,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>place the copies elsewhere</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>place them farther apart, or --allow-overlap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17471,6 +17999,10 @@
         </message>
         <message>
             <source>prepare this program's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press on one in the 3D view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17915,6 +18447,10 @@
         </message>
         <message>
             <source>select a sketch, wires, faces or edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>select drawings or sketches and add them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18426,6 +18962,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take it out of the parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take it out of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18643,6 +19183,10 @@
         </message>
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arrangement has no job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21438,6 +21982,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there are no parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there are no relays</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21483,6 +22031,14 @@
         </message>
         <message>
             <source>there is no dialect '{base}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no drawing '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no file for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23238,6 +23794,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} of {name}: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24163,6 +24723,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Arrangement</name>
+        <message>
+            <source>Arrange programs…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Bore</name>
         <message>
             <source>Bore</source>
@@ -24379,6 +24950,17 @@
         </message>
         <message>
             <source>Move up</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Nest</name>
+        <message>
+            <source>Nest on sheets…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places the selected drawings on sheets of material, as often as they are wanted</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
