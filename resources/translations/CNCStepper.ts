@@ -244,6 +244,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
@@ -297,6 +301,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -416,6 +424,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Core Diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -497,6 +513,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -633,6 +653,14 @@
         </message>
         <message>
             <source>Drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -784,6 +812,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation type="unfinished"></translation>
         </message>
@@ -888,6 +920,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -940,6 +976,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -953,6 +993,10 @@
         </message>
         <message>
             <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1220,6 +1264,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many of each are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many parts are cut free</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1392,6 +1440,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1409,6 +1461,10 @@
         </message>
         <message>
             <source>Job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1728,6 +1784,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Mend</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1769,6 +1829,10 @@
         </message>
         <message>
             <source>Minor Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1817,6 +1881,10 @@
         </message>
         <message>
             <source>Of a sheet of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of each part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1869,6 +1937,10 @@
         </message>
         <message>
             <source>Of the tip; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1948,7 +2020,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part Values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2072,6 +2156,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2176,6 +2268,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2249,6 +2345,10 @@
         </message>
         <message>
             <source>Registration holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2356,6 +2456,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheet Grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet X</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2368,6 +2472,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheets There</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheets of material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2377,6 +2485,10 @@
         </message>
         <message>
             <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2393,6 +2505,14 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2784,6 +2904,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2960,6 +3084,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The place of the work zero in this document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2989,6 +3117,10 @@
         </message>
         <message>
             <source>The program, kept in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The programs and their places</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3220,6 +3352,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3248,6 +3384,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3261,6 +3401,10 @@
         </message>
         <message>
             <source>Unreachable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3332,6 +3476,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3345,6 +3493,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3452,6 +3608,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3548,6 +3708,14 @@
         </message>
         <message>
             <source>0: one degree less than the flank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0° to 270°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0°, 180°</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3688,6 +3856,10 @@
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A locked part stays where it is; press again to unlock it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3883,11 +4055,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a G-code file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a rule after the marked one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Add a tool to this job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add drawings, sketches or operations of the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3912,6 +4096,10 @@
         </message>
         <message>
             <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3940,6 +4128,10 @@
         </message>
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4056,6 +4248,14 @@
         </message>
         <message>
             <source>Around the jaws; 0: no jaws stand out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arrangement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arranging…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4183,6 +4383,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4244,6 +4448,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4523,6 +4731,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Copy of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4568,6 +4784,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4727,6 +4947,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Diameter at Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Diameter cut away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4831,11 +5055,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Drag knife</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drag parts in the view; with Shift they turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4868,6 +5100,14 @@
         </message>
         <message>
             <source>Drawings ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4968,6 +5208,10 @@
         </message>
         <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End the search with the best so far</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5135,6 +5379,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill the sheet of the chosen one, or the first, with the marked row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Filled</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5164,6 +5424,10 @@
         </message>
         <message>
             <source>Finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5335,6 +5599,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a folder…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5475,6 +5743,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>G73 pecks, chips</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5559,6 +5831,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5592,6 +5868,10 @@
         </message>
         <message>
             <source>HDPE plastic</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Half</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5919,6 +6199,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5944,6 +6228,10 @@
         </message>
         <message>
             <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many of each are wanted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6000,6 +6288,10 @@
         </message>
         <message>
             <source>How many; 0: those of the designation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the part is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6219,7 +6511,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its direction that lies along the grain of the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its machine runs and checks the whole program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6252,6 +6552,10 @@
         </message>
         <message>
             <source>Jobs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6391,6 +6695,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leave out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Leave out of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6520,6 +6828,10 @@
         </message>
         <message>
             <source>Load {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6675,6 +6987,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6728,6 +7044,10 @@
         </message>
         <message>
             <source>Mirror…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6839,7 +7159,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nesting the pieces: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6896,6 +7228,10 @@
         </message>
         <message>
             <source>No place is chosen yet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>None</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6979,6 +7315,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of each part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7044,6 +7384,10 @@
         </message>
         <message>
             <source>Of the tip; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7247,6 +7591,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parts of a larger number are placed first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7327,7 +7683,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Place all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all copies that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all parts that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Place of the mirror, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7555,6 +7931,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7712,6 +8092,18 @@
         </message>
         <message>
             <source>Remaining</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnant…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8071,6 +8463,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheets that carry parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shield</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8419,6 +8815,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8435,11 +8835,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the chosen part from its sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the dial's reading from both sides first.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Take the line numbers out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out of the nest</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8648,6 +9060,10 @@
         </message>
         <message>
             <source>The direction of the front edge away from the nose, from Z+ towards X+</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the material's grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8939,6 +9355,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The path of the last job is read…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9011,6 +9431,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The programs and their places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of loops at sharp outside corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9028,6 +9452,10 @@
         </message>
         <message>
             <source>The retract along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rotations in which it may lie</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9235,6 +9663,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>There is nothing that fits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9272,6 +9704,10 @@
         </message>
         <message>
             <source>Thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Three quarters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9371,6 +9807,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tool length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9451,6 +9891,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn the chosen part to its next rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9515,11 +9963,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use a drawing of a rest of a sheet first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Use the tool of the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use whole sheets only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>V-bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9567,7 +10027,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
+            <source>What is one step, on or back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9611,6 +10071,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where along the axis the diameter is read; a click on the part sets it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where it begins; 0: that of the profile or the usual fit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9620,6 +10084,10 @@
         </message>
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the copies lie</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9636,6 +10104,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9727,6 +10203,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whole part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Why it cannot be made; empty when it can</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9803,7 +10283,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the one checked program of all copies</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9984,6 +10476,10 @@
         </message>
         <message>
             <source>angle about Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>any</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10184,6 +10680,10 @@
         </message>
         <message>
             <source>choose</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>click on the part, or type a Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10495,6 +10995,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>low</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10580,6 +11084,10 @@
         </message>
         <message>
             <source>no errors</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no material there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10836,6 +11344,10 @@
         </message>
         <message>
             <source>rapid: straight, as fast as the machine can</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raw surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11235,6 +11747,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} parts on {1} sheets, {2} missing; the sheets are used to {3} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11307,6 +11823,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}: its file has changed; Reload in the tree takes it anew</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11336,6 +11856,14 @@
         </message>
         <message>
             <source>… and {0} more lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}, bore ⌀ {1}</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
@@ -11443,6 +11971,10 @@
         </message>
         <message>
             <source>'{line}' is no row of a profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{name}' holds no lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12914,6 +13446,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a part or a value has changed since the parts were nested</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13003,6 +13539,10 @@
         </message>
         <message>
             <source>a program on the controller stopped at an error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program or a value has changed since they were arranged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13362,6 +13902,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add jobs, programs or files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13559,6 +14103,10 @@
         </message>
         <message>
             <source>arcs outside the plane XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arrange them again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14150,6 +14698,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14187,6 +14739,10 @@
         </message>
         <message>
             <source>choose other values, or try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose the job whose machine runs it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15834,6 +16390,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it was not placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16866,6 +17426,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nest them again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16999,6 +17563,10 @@
         </message>
         <message>
             <source>no parallel curve that far inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no part is chosen</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17590,6 +18158,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>place the copies elsewhere</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>place them farther apart, or --allow-overlap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17639,6 +18211,10 @@
         </message>
         <message>
             <source>prepare this program's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press on one in the 3D view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18083,6 +18659,10 @@
         </message>
         <message>
             <source>select a sketch, wires, faces or edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>select drawings or sketches and add them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18594,6 +19174,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take it out of the parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take it out of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18811,6 +19395,10 @@
         </message>
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arrangement has no job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21610,6 +22198,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there are no parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there are no relays</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21655,6 +22247,14 @@
         </message>
         <message>
             <source>there is no dialect '{base}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no drawing '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no file for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23414,6 +24014,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} of {name}: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24339,6 +24943,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Arrangement</name>
+        <message>
+            <source>Arrange programs…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Bore</name>
         <message>
             <source>Bore</source>
@@ -24555,6 +25170,17 @@
         </message>
         <message>
             <source>Move up</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Nest</name>
+        <message>
+            <source>Nest on sheets…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places the selected drawings on sheets of material, as often as they are wanted</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -26,6 +26,7 @@ LABELS = {
     "CNCStepper_Text": "Text",
     "CNCStepper_Shapes": "Shapes…",
     "CNCStepper_Slices": "Slice a solid…",
+    "CNCStepper_Nest": "Nest on sheets…",
     "CNCStepper_Freehand": "Freehand",
     "CNCStepper_Face": "Face",
     "CNCStepper_Pocket": "Pocket",
@@ -41,6 +42,7 @@ LABELS = {
     "CNCStepper_WireCut": "Wire cut",
     "CNCStepper_EditProgram": "Edit program",
     "CNCStepper_OpenProgram": "Open G-code file…",
+    "CNCStepper_Arrangement": "Arrange programs…",
     "CNCStepper_Simulate": "Check and simulate",
     "CNCStepper_Send": "Send",
     "CNCStepper_Controller": "Controller",
@@ -55,10 +57,12 @@ LABELS = {
     TEXT,
     SHAPES,
     SLICES,
+    NEST,
     FREEHAND,
     *OPERATIONS,
     EDIT,
     OPEN,
+    ARRANGE,
     SIMULATE,
     SEND,
     CONTROLLER,
@@ -66,7 +70,7 @@ LABELS = {
     LETTERS,
 ) = LABELS
 ALWAYS = (DRAWING, TEXT, SHAPES)  # what needs neither a document nor a job
-IN_DOCUMENT = (SLICES, FREEHAND)  # what needs a document alone
+IN_DOCUMENT = (SLICES, NEST, FREEHAND)  # what needs a document alone
 DRAWN = ("CNCStepper_Pocket", "CNCStepper_Contour", "CNCStepper_Engrave")  # cannot be without a drawing
 OF_SHEETS = ("CNCStepper_SheetCut", "CNCStepper_WireCut")  # not of milling, which these jobs are cut by
 MILLED = [name for name in LABELS if name not in (*OF_SHEETS, TEMPLATE)]
@@ -180,7 +184,9 @@ def test_an_empty_document_can_be_drawn_in(hand: Hand) -> None:
 
 def test_a_job_without_operations(hand: Hand) -> None:
     hand.main(lambda: api.new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(
+        hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, ARRANGE, CONTROLLER, MACHINES, LETTERS
+    )
     assert reason(hand, SEND) == "Job has nothing to cut: add an operation"
     assert {reason(hand, name).partition(":")[0] for name in DRAWN} == {
         "Select the area to clear", "Select the lines to cut", "Select the lines to engrave",
@@ -198,6 +204,7 @@ def test_a_job_with_a_program(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
@@ -225,6 +232,7 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
@@ -262,6 +270,7 @@ def test_one_task_panel_at_a_time(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
