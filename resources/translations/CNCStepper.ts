@@ -248,6 +248,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
@@ -301,6 +305,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -420,6 +428,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Core Diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -501,6 +517,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -641,6 +661,14 @@
         </message>
         <message>
             <source>Drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -792,6 +820,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation type="unfinished"></translation>
         </message>
@@ -896,6 +928,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -948,6 +984,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -961,6 +1001,10 @@
         </message>
         <message>
             <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1228,6 +1272,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many of each are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many parts are cut free</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1400,6 +1448,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1417,6 +1469,10 @@
         </message>
         <message>
             <source>Job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1736,6 +1792,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Mend</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1777,6 +1837,10 @@
         </message>
         <message>
             <source>Minor Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1825,6 +1889,10 @@
         </message>
         <message>
             <source>Of a sheet of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of each part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1877,6 +1945,10 @@
         </message>
         <message>
             <source>Of the tip; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1956,7 +2028,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part Values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2080,6 +2164,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2184,6 +2276,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2257,6 +2353,10 @@
         </message>
         <message>
             <source>Registration holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2364,6 +2464,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheet Grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet X</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2376,6 +2480,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheets There</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheets of material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2385,6 +2493,10 @@
         </message>
         <message>
             <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2401,6 +2513,14 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2796,6 +2916,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2972,6 +3096,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The place of the work zero in this document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3001,6 +3129,10 @@
         </message>
         <message>
             <source>The program, kept in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The programs and their places</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3236,6 +3368,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3264,6 +3400,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3277,6 +3417,10 @@
         </message>
         <message>
             <source>Unreachable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3348,6 +3492,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3361,6 +3509,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3468,6 +3624,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3567,6 +3727,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>0° to 270°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0°, 180°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>1 to 9, where the tip lies; 0: by kind and hand</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3600,6 +3768,10 @@
         </message>
         <message>
             <source>A circle about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A click on a row with a place moves the view there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3691,11 +3863,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A line for each, as in job files: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A locked part stays where it is; press again to unlock it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3895,7 +4075,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a G-code file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a rule after the marked one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add drawings, sketches or operations of the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3920,6 +4116,10 @@
         </message>
         <message>
             <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3948,6 +4148,10 @@
         </message>
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4067,6 +4271,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arrangement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arranging…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arrow</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4075,11 +4287,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>As in the file; * is any text, ; divides several</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>As many as can be made at most, in Hz</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>As people call the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As the machine's cut charts name it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4187,6 +4407,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4248,6 +4472,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4415,6 +4643,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Columns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4523,6 +4755,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Copy of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4568,6 +4808,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4671,7 +4915,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Delete</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Delete a point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Delete the marked rule</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4720,6 +4972,10 @@
         </message>
         <message>
             <source>Diameter and height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter at Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4827,11 +5083,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Drag knife</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drag parts in the view; with Shift they turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4864,6 +5128,14 @@
         </message>
         <message>
             <source>Drawings ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4964,6 +5236,10 @@
         </message>
         <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End the search with the best so far</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5131,6 +5407,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill the sheet of the chosen one, or the first, with the marked row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Filled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5156,6 +5452,10 @@
         </message>
         <message>
             <source>Finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5327,6 +5627,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a folder…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5447,6 +5751,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Further values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>F{0} in/min</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5460,6 +5768,10 @@
         </message>
         <message>
             <source>F{0} mm/rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G-code files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5547,6 +5859,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5571,6 +5887,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Group</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gusset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5580,6 +5900,10 @@
         </message>
         <message>
             <source>HDPE plastic</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Half</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5907,6 +6231,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5932,6 +6260,10 @@
         </message>
         <message>
             <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many of each are wanted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5988,6 +6320,10 @@
         </message>
         <message>
             <source>How many; 0: those of the designation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the part is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6063,6 +6399,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Import a drawing first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6088,6 +6428,10 @@
         </message>
         <message>
             <source>In machine coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In mm from the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6199,11 +6543,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its direction that lies along the grain of the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its name, which is the operation's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6228,6 +6584,10 @@
         </message>
         <message>
             <source>Jobs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6335,6 +6695,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Layer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lead-in</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6364,6 +6728,10 @@
         </message>
         <message>
             <source>Leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Leave out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6499,6 +6867,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Locking wheel</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6611,6 +6983,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Making the job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6631,6 +7007,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Marks of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6640,6 +7020,10 @@
         </message>
         <message>
             <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material that stays between two cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6696,6 +7080,10 @@
         </message>
         <message>
             <source>Mirror…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6763,6 +7151,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Move the marked rule after the one below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move the marked rule before the one above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Moved by</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6799,7 +7195,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nesting the pieces: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6820,6 +7228,10 @@
         </message>
         <message>
             <source>New program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New, with the tools of the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6856,6 +7268,10 @@
         </message>
         <message>
             <source>No place is chosen yet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>None</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6939,6 +7355,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of each part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6991,11 +7411,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the stock around the drawing, in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the stock, in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the tip below the finished end face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Of the tip; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7035,6 +7467,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>One of the template's tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>One step back</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7068,6 +7504,10 @@
         </message>
         <message>
             <source>Open pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open template</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7195,6 +7635,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parts of a larger number are placed first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7275,7 +7727,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Place all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all copies that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all parts that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Place of the mirror, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7507,6 +7979,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7667,6 +8143,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Remnants</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnant…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Remove</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7803,6 +8291,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Rule</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rule {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rules</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7836,6 +8332,14 @@
         </message>
         <message>
             <source>Save program as…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save these rules as a template of the shop</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8008,6 +8512,10 @@
         </message>
         <message>
             <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8363,6 +8871,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8379,11 +8891,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the chosen part from its sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the dial's reading from both sides first.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Take the line numbers out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out of the nest</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8395,6 +8919,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the template of a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taken out, drawn twice</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8403,11 +8931,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Takes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Templates ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8571,6 +9119,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8628,6 +9180,10 @@
         </message>
         <message>
             <source>The first line that is not certainly cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The first rule that takes a contour has it; operations come in this order</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8855,6 +9411,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The path of the last job is read…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8927,6 +9487,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The programs and their places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of loops at sharp outside corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8944,6 +9508,14 @@
         </message>
         <message>
             <source>The retract along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rotations in which it may lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rule with the sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9147,6 +9719,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>There is nothing that fits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9188,6 +9764,10 @@
         </message>
         <message>
             <source>Thread length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Three quarters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9287,6 +9867,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tool length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9367,6 +9951,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn the chosen part to its next rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9431,11 +10023,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use a drawing of a rest of a sheet first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Use the tool of the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use whole sheets only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>V-bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9471,6 +10075,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What becomes of the contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What becomes one object</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9479,7 +10087,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
+            <source>What is one step, on or back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9523,6 +10131,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where along the axis the diameter is read; a click on the part sets it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where it begins; 0: that of the profile or the usual fit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9532,6 +10144,10 @@
         </message>
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the copies lie</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9548,6 +10164,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9595,6 +10219,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether it takes closed contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether it takes contours that the file fills</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether it works in a bore</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9628,6 +10260,10 @@
         </message>
         <message>
             <source>While pressed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whole part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9707,7 +10343,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the one checked program of all copies</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9895,6 +10543,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>any</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ap, recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10015,6 +10667,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bounded engagement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10088,6 +10744,10 @@
         </message>
         <message>
             <source>choose</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>click on the part, or type a Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10351,6 +11011,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leads the program elsewhere</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10360,6 +11024,10 @@
         </message>
         <message>
             <source>left</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>left out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10391,11 +11059,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>low</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>make room in the folder for temporary files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>marks of a sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10463,11 +11139,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no errors</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no material there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no rule</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10484,6 +11172,10 @@
         </message>
         <message>
             <source>none yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10719,6 +11411,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>raw surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>rear</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10871,6 +11567,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the only one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10896,6 +11596,10 @@
         </message>
         <message>
             <source>threading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>through the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10979,6 +11683,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>yes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>yours</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11000,6 +11708,10 @@
         </message>
         <message>
             <source>{0} (edited)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} (example)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11063,6 +11775,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} lines change:</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11092,6 +11808,10 @@
         </message>
         <message>
             <source>{0} on layer '{1}' was left out: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} parts on {1} sheets, {2} missing; the sheets are used to {3} %</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11167,11 +11887,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}: its file has changed; Reload in the tree takes it anew</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0}: its file is not there any more; what was read stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: its operations are replaced</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11192,6 +11920,14 @@
         </message>
         <message>
             <source>… and {0} more lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}, bore ⌀ {1}</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
@@ -11219,6 +11955,10 @@
         </message>
         <message>
             <source>'cncstepper drawing' prints its layers and colours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is no number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11291,6 +12031,10 @@
         </message>
         <message>
             <source>'{line}' is no row of a profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{name}' holds no lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12762,6 +13506,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a part or a value has changed since the parts were nested</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12851,6 +13599,10 @@
         </message>
         <message>
             <source>a program on the controller stopped at an error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program or a value has changed since they were arranged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13210,6 +13962,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add jobs, programs or files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13407,6 +14163,10 @@
         </message>
         <message>
             <source>arcs outside the plane XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arrange them again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13998,6 +14758,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14035,6 +14799,10 @@
         </message>
         <message>
             <source>choose other values, or try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose the job whose machine runs it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15682,6 +16450,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it was not placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16710,6 +17482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nest them again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16843,6 +17619,10 @@
         </message>
         <message>
             <source>no parallel curve that far inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no part is chosen</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17434,6 +18214,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>place the copies elsewhere</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>place them farther apart, or --allow-overlap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17483,6 +18267,10 @@
         </message>
         <message>
             <source>prepare this program's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press on one in the 3D view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17927,6 +18715,10 @@
         </message>
         <message>
             <source>select a sketch, wires, faces or edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>select drawings or sketches and add them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18438,6 +19230,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take it out of the parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take it out of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18655,6 +19451,10 @@
         </message>
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arrangement has no job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19619,6 +20419,10 @@
         </message>
         <message>
             <source>the front edge of the insert does not reach the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the further values cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21450,6 +22254,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there are no parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there are no relays</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21495,6 +22303,14 @@
         </message>
         <message>
             <source>there is no dialect '{base}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no drawing '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no file for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22754,6 +23570,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a line for each: stepdown_mm = 2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23247,6 +24067,10 @@
         </message>
         <message>
             <source>{count} lines have markers, which are not read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} of {name}: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24175,6 +24999,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Arrangement</name>
+        <message>
+            <source>Arrange programs…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Bore</name>
         <message>
             <source>Bore</source>
@@ -24395,6 +25230,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Nest</name>
+        <message>
+            <source>Nest on sheets…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places the selected drawings on sheets of material, as often as they are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_NewJob</name>
         <message>
             <source>Makes a job. A selected solid or drawing gives its stock</source>
@@ -24512,6 +25358,17 @@
         </message>
         <message>
             <source>Slice a solid…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Template</name>
+        <message>
+            <source>Makes a job of an imported drawing by rules: layer, colour or name to operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template…</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
