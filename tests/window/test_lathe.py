@@ -12,7 +12,7 @@ import pytest
 from PySide import QtGui
 
 from CNCStepper.workbench import api, panels
-from CNCStepper.workbench.document.core_turning_job import lathe_of, turning_job_of
+from CNCStepper.workbench.document.turning.core_turning_job import lathe_of, turning_job_of
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
 from window_helpers.hand import Hand

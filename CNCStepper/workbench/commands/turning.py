@@ -6,7 +6,8 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.commands.create_object import Operation, create, labelled
-from CNCStepper.workbench.document import targets, turning_defaults
+from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.document.turning import turning_defaults
 from CNCStepper.workbench.features.base import LATHE_JOB, proxy_type
 from CNCStepper.workbench.features.cycle_operation import drawings_of
 from CNCStepper.workbench.services import missing_packages

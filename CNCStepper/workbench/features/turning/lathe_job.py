@@ -125,7 +125,7 @@ class LatheJob(ProgramJob):
     def check(self, obj: Any) -> None:
         """Raise JobError for a machine that is no lathe, or a stock, chuck or start that cannot be."""
         packages.require()
-        from CNCStepper.workbench.document.core_turning_job import check_setup
+        from CNCStepper.workbench.document.turning.core_turning_job import check_setup
 
         check_setup(obj)
 
@@ -135,25 +135,25 @@ class LatheJob(ProgramJob):
 
     def program_question(self, obj: Any) -> dict[str, Any]:
         """Return what the cut process is asked for the programs; raises JobError for a bad job."""
-        from CNCStepper.workbench.document.core_turning_job import program_question
+        from CNCStepper.workbench.document.turning.core_turning_job import program_question
 
         return program_question(obj)
 
     def programs(self, obj: Any) -> list[tuple[str, str]]:
         """Return the names and texts of the programs; raises what the core raises."""
-        from CNCStepper.workbench.document.core_turning_job import programs
+        from CNCStepper.workbench.document.turning.core_turning_job import programs
 
         return programs(obj)
 
     def proof_question(self, obj: Any, program: Any) -> Callable[[Path, str], None]:
         """Return what writes the request for a proof into a folder, with the program's text; raises JobError."""
-        from CNCStepper.workbench.document.core_turning_job import proof_question
+        from CNCStepper.workbench.document.turning.core_turning_job import proof_question
 
         return proof_question(obj, program)
 
     def read_back(self, obj: Any, text: str) -> Any:
         """Return the table of moves of a program's text, X the radius and Z the part's; raises ProgramError."""
-        from CNCStepper.workbench.document.core_turning_job import read_back
+        from CNCStepper.workbench.document.turning.core_turning_job import read_back
 
         return read_back(obj, text)
 

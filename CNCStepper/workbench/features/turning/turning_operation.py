@@ -54,7 +54,7 @@ class TurningOperation(CycleOperation):
     @classmethod
     def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:
         """Raise GeometryError for what gives no half profile."""
-        from CNCStepper.workbench.document.profile_of_operation import look_at_profile
+        from CNCStepper.workbench.document.turning.profile_of_operation import look_at_profile
 
         look_at_profile(drawing, picked)
 
@@ -75,7 +75,7 @@ class TurningOperation(CycleOperation):
         jobs = jobs_of(obj)
         if not jobs:
             return None
-        from CNCStepper.workbench.document.core_turning_job import cut_question
+        from CNCStepper.workbench.document.turning.core_turning_job import cut_question
 
         return cut_question(jobs[0], obj)
 
@@ -86,7 +86,7 @@ class TurningOperation(CycleOperation):
         jobs = jobs_of(obj)
         if not jobs:
             return
-        from CNCStepper.workbench.document.core_turning_job import cut_for_trial
+        from CNCStepper.workbench.document.turning.core_turning_job import cut_for_trial
 
         figures, self.warnings = cut_for_trial(jobs[0], obj)
         show(obj, {"used_rpm": figures["rpm"], "used_feed_mm_rev": figures["feed_mm_rev"]})

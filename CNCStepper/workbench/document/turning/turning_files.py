@@ -24,7 +24,7 @@ def export_turning_job(obj: Any, path: Path) -> None:
     """Write a lathe's job object as a job file; a machine's file is named by its whole path. Raises JobError."""
     from CNCStepper.job.turning.turning_job_text import save_turning_job
     from CNCStepper.machine.profile import profile_names
-    from CNCStepper.workbench.document.core_turning_job import turning_job_of
+    from CNCStepper.workbench.document.turning.core_turning_job import turning_job_of
 
     job = turning_job_of(obj)
     named = job.machine in profile_names() or Path(job.machine).is_absolute() or not obj.Document.FileName
@@ -39,7 +39,7 @@ def open_turning_job(document: Any, path: Path) -> tuple[Any, list[str]]:
     """
     from CNCStepper.job.model import machine_path
     from CNCStepper.job.turning.turning_job import load_turning_job
-    from CNCStepper.workbench.document.core_turning_job import turning_job_of
+    from CNCStepper.workbench.document.turning.core_turning_job import turning_job_of
 
     job, _ = load_turning_job(path)
     obj = _opened(document, job, str(machine_path(job.machine, path.parent)), path.stem)

@@ -15,7 +15,7 @@ from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.document.machine_of_job import machine_of
 from CNCStepper.workbench.document.operation_order import active_operations
-from CNCStepper.workbench.document.profile_of_operation import profile_pair, rows_of, side_of
+from CNCStepper.workbench.document.turning.profile_of_operation import profile_pair, rows_of, side_of
 from CNCStepper.workbench.features.base import values
 from CNCStepper.workbench.features.cycle_operation import tool_of
 from CNCStepper.workbench.features.program import is_of_a_file
