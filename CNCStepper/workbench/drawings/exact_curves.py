@@ -20,7 +20,7 @@ ROUNDING_MM = 1e-9  # what FreeCAD's arcs lose is less
 
 def keep_curves(obj: Any, curves: Sequence[Curve]) -> None:
     """Keep the curves of a new object, whose shape is theirs."""
-    from CNCStepper.job.drawings.imported_drawing import packed_curves
+    from CNCStepper.job.drawings.packed_curves import packed_curves
 
     obj.addProperty("App::PropertyString", NAME, "Base", "", 1 | 4)  # cannot be typed, is not shown
     setattr(obj, NAME, json.dumps(packed_curves(curves)))
@@ -34,7 +34,7 @@ def kept_curves(obj: Any, drawn: Sequence[Curve]) -> Sequence[Curve]:
     content = getattr(obj, NAME, "")
     if not content:
         return drawn
-    from CNCStepper.job.drawings.imported_drawing import unpacked_curves
+    from CNCStepper.job.drawings.packed_curves import unpacked_curves
 
     exact = unpacked_curves(json.loads(content))
     return exact if len(exact) == len(drawn) and all(map(_is_same, exact, drawn)) else drawn

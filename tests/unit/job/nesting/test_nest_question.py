@@ -14,7 +14,8 @@ from CNCStepper.drawing.drawing import Attributes, Chain
 from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
 from CNCStepper.errors import CNCStepperError, GeometryError
 from CNCStepper.geometry.curve import circle, from_points
-from CNCStepper.job.nesting.nest_question import answer_of, packed_chains, parts_of, unpacked_order
+from CNCStepper.job.nesting.nest_data import packed_chains, parts_of, unpacked_order
+from CNCStepper.job.nesting.nest_question import answer_of
 
 PLATE = [
     Chain(from_points([(0, 0), (60, 0), (60, 40), (0, 40)], closed=True), Attributes(layer="OUT")),
