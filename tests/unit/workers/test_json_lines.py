@@ -84,9 +84,9 @@ def looked(newest: NewestQuestion) -> None:
 def test_a_stop_is_for_its_own_question_and_a_newer_question_ends_the_work() -> None:
     questions: Questions = SimpleQueue()
     newest = NewestQuestion(questions)
-    for told in ({"mark": 1}, {"mark": 2}, {"stop": 2}):
+    for told in ({"mark": 1}, {"stop": 1}, {"mark": 2}):
         questions.put(told)
-    assert newest.wait() == {"mark": 2} and not newest.stopped.is_set(), "a stop of before it began is no stop"
+    assert newest.wait() == {"mark": 2} and not newest.stopped.is_set()
     questions.put({"stop": 1})
     looked(newest)
     assert not newest.stopped.is_set()
@@ -96,4 +96,5 @@ def test_a_stop_is_for_its_own_question_and_a_newer_question_ends_the_work() -> 
     questions.put({"mark": 3})
     with pytest.raises(Outdated):
         looked(newest)
-    assert newest.wait() == {"mark": 3} and not newest.stopped.is_set()
+    questions.put({"stop": 3})
+    assert newest.wait() == {"mark": 3} and newest.stopped.is_set(), "a stop before it began counts"
