@@ -4915,6 +4915,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Diameter at Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Diameter cut away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5823,6 +5827,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Half</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Half the width along its second axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6236,6 +6244,10 @@
         </message>
         <message>
             <source>How many; 0: those of the designation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the part is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9551,6 +9563,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Three quarters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Threshold</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9863,7 +9879,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
+            <source>What is one step, on or back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9904,6 +9920,10 @@
         </message>
         <message>
             <source>What was read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where along the axis the diameter is read; a click on the part sets it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10024,6 +10044,10 @@
         </message>
         <message>
             <source>While pressed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whole part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10499,6 +10523,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>click on the part, or type a Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>climb</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10883,6 +10911,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no material there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no switch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11128,6 +11160,10 @@
         </message>
         <message>
             <source>rapid: straight, as fast as the machine can</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raw surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11612,6 +11648,14 @@
         </message>
         <message>
             <source>… and {0} more lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}, bore ⌀ {1}</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

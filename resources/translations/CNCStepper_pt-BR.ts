@@ -4915,6 +4915,10 @@
             <translation>Diâmetro e altura</translation>
         </message>
         <message>
+            <source>Diameter at Z</source>
+            <translation>Diâmetro em Z</translation>
+        </message>
+        <message>
             <source>Diameter cut away</source>
             <translation>Diâmetro retirado</translation>
         </message>
@@ -5823,6 +5827,10 @@
             <translation>plástico PEAD</translation>
         </message>
         <message>
+            <source>Half</source>
+            <translation>Metade</translation>
+        </message>
+        <message>
             <source>Half the width along its second axis</source>
             <translation>Metade da largura ao longo do segundo eixo</translation>
         </message>
@@ -6237,6 +6245,10 @@
         <message>
             <source>How many; 0: those of the designation</source>
             <translation>Quantas; 0: as da designação</translation>
+        </message>
+        <message>
+            <source>How much of the part is shown</source>
+            <translation>Quanto da peça é mostrado</translation>
         </message>
         <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
@@ -9551,6 +9563,10 @@
             <translation>Rosquear</translation>
         </message>
         <message>
+            <source>Three quarters</source>
+            <translation>Três quartos</translation>
+        </message>
+        <message>
             <source>Threshold</source>
             <translation>Limiar</translation>
         </message>
@@ -9863,8 +9879,8 @@
             <translation>O que é cortado em chapas</translation>
         </message>
         <message>
-            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
-            <translation>O que é um passo: uma linha do programa, um movimento ou um pulso dos motores</translation>
+            <source>What is one step, on or back</source>
+            <translation>O que é um passo, adiante ou para trás</translation>
         </message>
         <message>
             <source>What is written; several lines are set below each other</source>
@@ -9905,6 +9921,10 @@
         <message>
             <source>What was read</source>
             <translation>O que foi lido</translation>
+        </message>
+        <message>
+            <source>Where along the axis the diameter is read; a click on the part sets it</source>
+            <translation>Onde, ao longo do eixo, o diâmetro é lido; um clique na peça o define</translation>
         </message>
         <message>
             <source>Where it begins; 0: that of the profile or the usual fit</source>
@@ -10025,6 +10045,10 @@
         <message>
             <source>While pressed</source>
             <translation>Enquanto pressionado</translation>
+        </message>
+        <message>
+            <source>Whole part</source>
+            <translation>Peça inteira</translation>
         </message>
         <message>
             <source>Why it cannot be made; empty when it can</source>
@@ -10499,6 +10523,10 @@
             <translation>escolha</translation>
         </message>
         <message>
+            <source>click on the part, or type a Z</source>
+            <translation>clique na peça ou digite um Z</translation>
+        </message>
+        <message>
             <source>climb</source>
             <translation>concordante</translation>
         </message>
@@ -10883,6 +10911,10 @@
             <translation>nenhum erro</translation>
         </message>
         <message>
+            <source>no material there</source>
+            <translation>não há material ali</translation>
+        </message>
+        <message>
             <source>no switch</source>
             <translation>sem chave</translation>
         </message>
@@ -11129,6 +11161,10 @@
         <message>
             <source>rapid: straight, as fast as the machine can</source>
             <translation>rápido: reto, tão rápido quanto a máquina pode</translation>
+        </message>
+        <message>
+            <source>raw surface</source>
+            <translation>superfície bruta</translation>
         </message>
         <message>
             <source>rear</source>
@@ -11613,6 +11649,14 @@
         <message>
             <source>… and {0} more lines</source>
             <translation>… e mais {0} linhas</translation>
+        </message>
+        <message>
+            <source>⌀ {0}</source>
+            <translation>⌀ {0}</translation>
+        </message>
+        <message>
+            <source>⌀ {0}, bore ⌀ {1}</source>
+            <translation>⌀ {0}, furo ⌀ {1}</translation>
         </message>
     </context>
     <context>
