@@ -66,7 +66,9 @@ def answer_of(
     written = asked["verb"] == WRITE
     if written:
         _write(programs, [part.placement for part in parts], asked)
-    return {"order": packed_items(items, [sheet], spacing), "parts": rows_of(parts), "written": written}
+    faults = ManualNest(items, [sheet], spacing, parts).overlapping()
+    told = {"order": packed_items(items, [sheet], spacing), "parts": rows_of(parts)}
+    return {**told, "faults": faults, "written": written}
 
 
 def _program(told: dict[str, Any], asked: dict[str, Any]) -> Program:

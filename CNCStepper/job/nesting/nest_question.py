@@ -9,7 +9,8 @@
     fill        more of the part "item" where the sheet "sheet" has room; nothing is written
     write       the files of just these parts, judged as a whole before
 
-The answer holds the outlines (`nest_data.py`), the parts, the files of the sheets, and what has no place.
+The answer holds the outlines (`nest_data.py`), the parts, those that do not fit any more, the files of the sheets, and
+what has no place.
 """
 
 from __future__ import annotations
@@ -56,6 +57,7 @@ def answer_of(
     return {
         "order": packed_items(order.items, order.sheets, order.spacing),
         "parts": rows_of(parts),
+        "faults": ManualNest(order.items, order.sheets, order.spacing, parts).overlapping(),
         "written": layout is not None,
         "sheets": [str(path) for path in files if path.name.startswith("sheet-")],
         "density": density_of(order, layout) if layout is not None else 0.0,

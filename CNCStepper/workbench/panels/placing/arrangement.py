@@ -139,7 +139,7 @@ class ArrangementPanel(PlacingPanel):
         answer = work.answer
         self.unwritten = not answer["written"] and answer["parts"] != self.rows_written()
         self._raise_counts(answer)
-        self.show_nest(*nest_data.unpacked_order(answer["order"]), nest_data.parts_of(answer["parts"]))
+        self.show_nest(answer)
         super().done()
 
     def accept(self) -> bool:

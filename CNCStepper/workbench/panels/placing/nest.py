@@ -167,7 +167,7 @@ class NestPanel(PlacingPanel):
         self.unwritten = answer["parts"] != self.rows_written()
         self._raise_counts(answer)
         self.leave_mode()
-        self.show_nest(*nest_data.unpacked_order(answer["order"]), nest_data.parts_of(answer["parts"]))
+        self.show_nest(answer)
         super().done()
 
     def _raise_counts(self, answer: dict[str, Any]) -> None:
