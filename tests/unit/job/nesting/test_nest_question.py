@@ -70,6 +70,7 @@ def test_filling_adds_parts_and_writing_judges_the_whole(tmp_path: Path) -> None
     with pytest.raises(GeometryError, match=r"too close|beyond"):
         answer_of(asked("write", tmp_path / "bad", moved))
     assert not (tmp_path / "bad").exists()
+    assert written["faults"] == [] and 1 in answer_of(asked("show", tmp_path / "bad", moved))["faults"]
 
 
 def test_a_stopped_search_gives_what_it_has(tmp_path: Path) -> None:
