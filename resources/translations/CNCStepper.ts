@@ -3507,6 +3507,14 @@
     <context>
         <name>CNCStepper</name>
         <message>
+            <source>'Install packages' asks first, and needs no administrator. You find it in the menu too.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'Install' fetches them from Python's package index and puts them into:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3923,6 +3931,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>All packages that CNCStepper works with are there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>All, the outline, or the holes in it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3992,6 +4004,10 @@
         </message>
         <message>
             <source>Another machine?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Answer the question for the work zero with Start. On the virtual machine the path is free.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4227,7 +4243,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>CNCStepper works with these packages, which the Python {0} of this FreeCAD lacks:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cancel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cancelled: nothing was installed.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4319,6 +4343,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Choose the profile that is nearest to your machine, and enter its travel and speeds.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chuck</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4404,6 +4432,10 @@
         </message>
         <message>
             <source>Connecting…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Connection</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4639,6 +4671,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Details</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Device</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4779,6 +4815,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Draw a part and cut it on a virtual machine, in seven steps. Nothing is connected.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Draw what is to be cut: a text, a shape, a sketch, a freehand line, or import a drawing. OK when it fits.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4912,6 +4956,10 @@
         </message>
         <message>
             <source>Engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Engraving: a map along a point list</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5107,6 +5155,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First wait</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5195,6 +5251,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>FreeCAD runs as {0}, which nothing can be written into: this folder is outside, and stays with the next one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks numba. All works without, but planning and simulating are slow.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5239,7 +5299,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a folder…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From a zip…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5256,6 +5324,10 @@
         </message>
         <message>
             <source>From contour {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5396,6 +5468,10 @@
         </message>
         <message>
             <source>Gaps up to this are closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gasket: cut out of sheet by plasma</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5628,6 +5704,10 @@
         </message>
         <message>
             <source>How deep one peck goes; 0: in one go</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How do you want to begin?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6027,6 +6107,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Install</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Install from files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Install packages</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Install packages…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Installed. CNCStepper can work now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Interpolation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6367,6 +6467,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Look at a finished job, change its numbers and simulate it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Look at the cut part before it is cut, and at what the checks have found. Then close the panel.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Look at the findings, then decide.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6384,6 +6492,10 @@
         </message>
         <message>
             <source>Looking for a Python…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Looking for pip…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6448,6 +6560,10 @@
         </message>
         <message>
             <source>Make a job first, with New job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make a job: it holds the machine, the size of the stock and the tools. OK takes what is proposed.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6747,6 +6863,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nothing was installed.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6888,6 +7008,10 @@
         </message>
         <message>
             <source>Open a G-code file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open an example</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7116,6 +7240,10 @@
         </message>
         <message>
             <source>Plasma</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plate: holes, pockets and a contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7731,6 +7859,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Select the drawing in the tree, then choose how it is cut: engrave it, clear it as a pocket, or cut along its contour. OK when the depth is right.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7755,6 +7887,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send it. Leave the port on 'Virtual grbl (no machine)' and press Connect: nothing can break.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Send this restart…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7767,7 +7903,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Set up my machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shaft: turned on a lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7851,6 +7995,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sign: letters, a pocket and an outline with tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7864,6 +8012,10 @@
         </message>
         <message>
             <source>Simulate again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Simulation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8955,6 +9107,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>This card does not come again by itself: it is in the menu CNCStepper, First steps.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9032,10 +9188,6 @@
         </message>
         <message>
             <source>To diameter</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9151,6 +9303,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Try without hardware</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9244,6 +9400,10 @@
         </message>
         <message>
             <source>Warnings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Watch it cut. Hold stops the feed and Resume goes on; Stop ends it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9467,6 +9627,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Wing rib: out of foam by a hot wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wire cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9539,6 +9703,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Your first part is cut. A real machine goes the same road: set it up under Machines first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z of the cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9564,6 +9732,10 @@
         </message>
         <message>
             <source>Zero's place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Zip with packages ({0})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9999,6 +10171,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>for the command line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>front</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10260,6 +10436,10 @@
         </message>
         <message>
             <source>nothing to correct</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>numba makes it fast from the next start of FreeCAD on.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10664,6 +10844,26 @@
         </message>
         <message>
             <source>to break the chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to make programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to nest parts on sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to plan and simulate fast</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to reach a machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to read and write files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11458,6 +11658,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Fetching {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fetching {name} ({size})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First eye</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11790,6 +11998,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>No module named pip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>O-words are nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12011,6 +12223,10 @@
         </message>
         <message>
             <source>Width of the slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Writing {count} packages</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12467,6 +12683,10 @@
         </message>
         <message>
             <source>a number that no letter begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a package that is to be replaced is in use</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13446,6 +13666,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>build the zip for it: make installer PYTHONS={version}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bytes when it is unpacked</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13586,6 +13810,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the computer's clock, ask who runs the network for its certificate and set the environment variable PIP_CERT to that file, {zip}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the depth, or lay a spoil board under the stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13619,6 +13847,10 @@
         </message>
         <message>
             <source>chip_load_min_mm must not exceed chip_load_max_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose 'Install packages…' in the CNCStepper menu, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13762,6 +13994,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose the zip of 'make installer', or the folder in which its .whl files are</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13775,6 +14011,10 @@
         </message>
         <message>
             <source>clearance_mm must not be below retract_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close all FreeCAD windows, start FreeCAD, and install before anything else</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13878,6 +14118,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>connect to the internet and try again, {zip}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>constant surface speed became a speed a move</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13891,6 +14135,10 @@
         </message>
         <message>
             <source>coordinates alone may not follow {motion_name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>copy it again and compare its size</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14391,6 +14639,10 @@
         </message>
         <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enter the proxy in FreeCAD (Preferences &gt; Addon Manager) with its name and password, as http://name:password@host:port, {zip}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15067,6 +15319,14 @@
         </message>
         <message>
             <source>install CNCStepper on every worker, and look at the worker's log</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install Python {version} (Debian and Ubuntu: sudo apt-get install python3-pip), or set the environment variable {variable} to the path of one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install it (Debian and Ubuntu: sudo apt-get install python3-pip), {zip}, which brings a pip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15874,6 +16134,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>look at the details, and report them where they do not help</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at the machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16018,6 +16282,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make room (the packages take about 400 MB) and try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16047,6 +16315,10 @@
         </message>
         <message>
             <source>make the corner radius smaller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the folder writable for yourself; nothing needs an administrator</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16402,6 +16674,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no Python {version} is found outside FreeCAD to run pip with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no arc or wire stands at more than 10 kV</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16631,6 +16907,10 @@
         </message>
         <message>
             <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no wheels in</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16982,6 +17262,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>or press 'From files' and take the zip that 'make installer' has built on a computer with internet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>order table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17087,6 +17371,10 @@
         </message>
         <message>
             <source>pins: two signals are on one pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pip could not install the packages: {said}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17499,10 +17787,6 @@
         </message>
         <message>
             <source>rows must be a list of tables</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18242,6 +18526,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the Python that belongs to this FreeCAD has no pip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the USB board's controller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18870,6 +19158,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the disk is full</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the document unpacks to too much</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19234,11 +19526,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the folder for packages cannot be written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the folder is a link</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the folder of sessions cannot be used: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the folder or zip has no {packages} for Python {version} on {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19938,6 +20238,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the package index cannot be reached</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the packing of a strip</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20350,6 +20654,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the proxy of this network does not let pip through</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pulses have ended</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20495,6 +20803,10 @@
         </message>
         <message>
             <source>the section of sheet {number} is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the secure connection to the package index was refused, as in a network that looks into it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21042,6 +21354,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the zip is damaged or not whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21079,6 +21395,10 @@
         </message>
         <message>
             <source>there are A to Z for pulses and {0} for devices</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are no packages in the folder or zip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21243,6 +21563,10 @@
         </message>
         <message>
             <source>there is no {name} of that name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no {packages} for Python {version} on {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21807,6 +22131,10 @@
         </message>
         <message>
             <source>use X or Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a FreeCAD of freecad.org, whose Python has all packages</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23920,6 +24248,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_FirstSteps</name>
+        <message>
+            <source>First steps…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Three ways to begin: a tour without a machine, your machine, an example</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Freehand</name>
         <message>
             <source>Draws a line with the mouse: press, move, release</source>
@@ -23949,6 +24288,17 @@
         </message>
         <message>
             <source>Import tools…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Install</name>
+        <message>
+            <source>Install packages…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Installs the Python packages that are missing, from the internet or from files</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

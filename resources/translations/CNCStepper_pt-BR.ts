@@ -3507,6 +3507,14 @@
     <context>
         <name>CNCStepper</name>
         <message>
+            <source>'Install packages' asks first, and needs no administrator. You find it in the menu too.</source>
+            <translation>'Instalar pacotes' pergunta antes e não precisa de administrador. Também está no menu.</translation>
+        </message>
+        <message>
+            <source>'Install' fetches them from Python's package index and puts them into:</source>
+            <translation>'Instalar' busca os pacotes no índice de pacotes do Python e os põe em:</translation>
+        </message>
+        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation>'{0}' não faz sentido em um número</translation>
         </message>
@@ -3923,6 +3931,10 @@
             <translation>Todas as linhas foram enviadas; os últimos movimentos estão sendo usinados.</translation>
         </message>
         <message>
+            <source>All packages that CNCStepper works with are there.</source>
+            <translation>Todos os pacotes com que o CNCStepper trabalha estão instalados.</translation>
+        </message>
+        <message>
             <source>All, the outline, or the holes in it</source>
             <translation>Todas, o contorno, ou os furos nele</translation>
         </message>
@@ -3993,6 +4005,10 @@
         <message>
             <source>Another machine?</source>
             <translation>Outra máquina?</translation>
+        </message>
+        <message>
+            <source>Answer the question for the work zero with Start. On the virtual machine the path is free.</source>
+            <translation>Responda à pergunta do zero da peça com Iniciar. Na máquina virtual o caminho está livre.</translation>
         </message>
         <message>
             <source>Apply</source>
@@ -4227,8 +4243,16 @@
             <translation>O CNCStepper tem uma falha: {0}</translation>
         </message>
         <message>
+            <source>CNCStepper works with these packages, which the Python {0} of this FreeCAD lacks:</source>
+            <translation>O CNCStepper trabalha com estes pacotes, que faltam no Python {0} deste FreeCAD:</translation>
+        </message>
+        <message>
             <source>Cancel</source>
             <translation>Cancelar</translation>
+        </message>
+        <message>
+            <source>Cancelled: nothing was installed.</source>
+            <translation>Cancelado: nada foi instalado.</translation>
         </message>
         <message>
             <source>Canned cycles</source>
@@ -4319,6 +4343,10 @@
             <translation>Escolha aqui</translation>
         </message>
         <message>
+            <source>Choose the profile that is nearest to your machine, and enter its travel and speeds.</source>
+            <translation>Escolha o perfil mais próximo da sua máquina e informe cursos e velocidades.</translation>
+        </message>
+        <message>
             <source>Chuck</source>
             <translation>Placa</translation>
         </message>
@@ -4405,6 +4433,10 @@
         <message>
             <source>Connecting…</source>
             <translation>Conectando…</translation>
+        </message>
+        <message>
+            <source>Connection</source>
+            <translation>Conexão</translation>
         </message>
         <message>
             <source>Connection lost</source>
@@ -4639,6 +4671,10 @@
             <translation>Profundidade até</translation>
         </message>
         <message>
+            <source>Details</source>
+            <translation>Detalhes</translation>
+        </message>
+        <message>
             <source>Device</source>
             <translation>Dispositivo</translation>
         </message>
@@ -4779,6 +4815,14 @@
             <translation>Desenhe uma linha: pressione o botão esquerdo, mova, solte. Shift: reta. Esc: encerrar o desenho.</translation>
         </message>
         <message>
+            <source>Draw a part and cut it on a virtual machine, in seven steps. Nothing is connected.</source>
+            <translation>Desenhe uma peça e corte-a em uma máquina virtual, em sete passos. Nada é conectado.</translation>
+        </message>
+        <message>
+            <source>Draw what is to be cut: a text, a shape, a sketch, a freehand line, or import a drawing. OK when it fits.</source>
+            <translation>Desenhe o que será cortado: um texto, uma forma, um esboço, uma linha à mão livre, ou importe um desenho. OK quando servir.</translation>
+        </message>
+        <message>
             <source>Drawing</source>
             <translation>Desenho</translation>
         </message>
@@ -4913,6 +4957,10 @@
         <message>
             <source>Engraving</source>
             <translation>Gravação</translation>
+        </message>
+        <message>
+            <source>Engraving: a map along a point list</source>
+            <translation>Gravação: um mapa por uma lista de pontos</translation>
         </message>
         <message>
             <source>Enter from</source>
@@ -5107,6 +5155,14 @@
             <translation>Primeiro número</translation>
         </message>
         <message>
+            <source>First part</source>
+            <translation>Primeira peça</translation>
+        </message>
+        <message>
+            <source>First steps</source>
+            <translation>Primeiros passos</translation>
+        </message>
+        <message>
             <source>First wait</source>
             <translation>Primeira espera</translation>
         </message>
@@ -5195,6 +5251,10 @@
             <translation>Liberar o movimento</translation>
         </message>
         <message>
+            <source>FreeCAD runs as {0}, which nothing can be written into: this folder is outside, and stays with the next one.</source>
+            <translation>O FreeCAD roda como {0}, onde nada pode ser gravado: esta pasta fica fora dele e serve também ao próximo.</translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks numba. All works without, but planning and simulating are slow.</source>
             <translation>Falta numba no Python do FreeCAD. Tudo funciona sem ele, mas o planejamento e a simulação ficam lentos.</translation>
         </message>
@@ -5239,8 +5299,16 @@
             <translation>De Z</translation>
         </message>
         <message>
+            <source>From a folder…</source>
+            <translation>De uma pasta…</translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation>De uma peça à borda da chapa</translation>
+        </message>
+        <message>
+            <source>From a zip…</source>
+            <translation>De um zip…</translation>
         </message>
         <message>
             <source>From above</source>
@@ -5257,6 +5325,10 @@
         <message>
             <source>From contour {0}</source>
             <translation>A partir do contorno {0}</translation>
+        </message>
+        <message>
+            <source>From files</source>
+            <translation>De arquivos</translation>
         </message>
         <message>
             <source>From here down the tool feeds</source>
@@ -5397,6 +5469,10 @@
         <message>
             <source>Gaps up to this are closed</source>
             <translation>Vãos até isto são fechados</translation>
+        </message>
+        <message>
+            <source>Gasket: cut out of sheet by plasma</source>
+            <translation>Junta: cortada de chapa por plasma</translation>
         </message>
         <message>
             <source>Gear ratio</source>
@@ -5629,6 +5705,10 @@
         <message>
             <source>How deep one peck goes; 0: in one go</source>
             <translation>Quanto entra cada bicada; 0: de uma vez</translation>
+        </message>
+        <message>
+            <source>How do you want to begin?</source>
+            <translation>Como você quer começar?</translation>
         </message>
         <message>
             <source>How far a bar or drill gets along Z, a blade along X; 0: not given</source>
@@ -6027,6 +6107,26 @@
             <translation>Interior do gancho</translation>
         </message>
         <message>
+            <source>Install</source>
+            <translation>Instalar</translation>
+        </message>
+        <message>
+            <source>Install from files</source>
+            <translation>Instalar de arquivos</translation>
+        </message>
+        <message>
+            <source>Install packages</source>
+            <translation>Instalar pacotes</translation>
+        </message>
+        <message>
+            <source>Install packages…</source>
+            <translation>Instalar pacotes…</translation>
+        </message>
+        <message>
+            <source>Installed. CNCStepper can work now.</source>
+            <translation>Instalado. O CNCStepper já pode trabalhar.</translation>
+        </message>
+        <message>
             <source>Interpolation</source>
             <translation>Interpolação</translation>
         </message>
@@ -6367,6 +6467,14 @@
             <translation>Roda de trava</translation>
         </message>
         <message>
+            <source>Look at a finished job, change its numbers and simulate it.</source>
+            <translation>Veja um trabalho pronto, mude os números e simule.</translation>
+        </message>
+        <message>
+            <source>Look at the cut part before it is cut, and at what the checks have found. Then close the panel.</source>
+            <translation>Veja a peça antes de cortá-la e o que as verificações acharam. Depois feche o painel.</translation>
+        </message>
+        <message>
             <source>Look at the findings, then decide.</source>
             <translation>Examine as ocorrências e decida.</translation>
         </message>
@@ -6385,6 +6493,10 @@
         <message>
             <source>Looking for a Python…</source>
             <translation>Procurando um Python…</translation>
+        </message>
+        <message>
+            <source>Looking for pip…</source>
+            <translation>Procurando o pip…</translation>
         </message>
         <message>
             <source>Loop radius</source>
@@ -6449,6 +6561,10 @@
         <message>
             <source>Make a job first, with New job</source>
             <translation>Crie antes um trabalho, com Novo trabalho</translation>
+        </message>
+        <message>
+            <source>Make a job: it holds the machine, the size of the stock and the tools. OK takes what is proposed.</source>
+            <translation>Faça um trabalho: ele guarda a máquina, o tamanho do bloco e as ferramentas. OK aceita o que é proposto.</translation>
         </message>
         <message>
             <source>Make shorter…</source>
@@ -6747,6 +6863,10 @@
             <translation>Nada foi encontrado: o programa pode ser enviado.</translation>
         </message>
         <message>
+            <source>Nothing was installed.</source>
+            <translation>Nada foi instalado.</translation>
+        </message>
+        <message>
             <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
             <translation>Bico, lente, fio ou lâmina; vazio: o primeiro da tabela para esta espessura</translation>
         </message>
@@ -6889,6 +7009,10 @@
         <message>
             <source>Open a G-code file</source>
             <translation>Abrir um arquivo G-code</translation>
+        </message>
+        <message>
+            <source>Open an example</source>
+            <translation>Abrir um exemplo</translation>
         </message>
         <message>
             <source>Open contour</source>
@@ -7117,6 +7241,10 @@
         <message>
             <source>Plasma</source>
             <translation>Plasma</translation>
+        </message>
+        <message>
+            <source>Plate: holes, pockets and a contour</source>
+            <translation>Placa: furos, bolsões e um contorno</translation>
         </message>
         <message>
             <source>Play or pause</source>
@@ -7731,6 +7859,10 @@
             <translation>Selecione o que esvaziar: um esboço, fios fechados ou faces de um sólido</translation>
         </message>
         <message>
+            <source>Select the drawing in the tree, then choose how it is cut: engrave it, clear it as a pocket, or cut along its contour. OK when the depth is right.</source>
+            <translation>Selecione o desenho na árvore e escolha como cortá-lo: gravar, abrir um bolsão ou contornar. OK quando a profundidade estiver certa.</translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation>Selecione o trabalho na árvore: este documento tem vários</translation>
         </message>
@@ -7755,6 +7887,10 @@
             <translation>Enviar assim mesmo</translation>
         </message>
         <message>
+            <source>Send it. Leave the port on 'Virtual grbl (no machine)' and press Connect: nothing can break.</source>
+            <translation>Envie. Deixe a porta em 'grbl virtual (sem máquina)' e aperte Conectar: nada pode quebrar.</translation>
+        </message>
+        <message>
             <source>Send this restart…</source>
             <translation>Enviar este reinício…</translation>
         </message>
@@ -7767,8 +7903,16 @@
             <translation>Enviado à frente no máximo</translation>
         </message>
         <message>
+            <source>Set up my machine</source>
+            <translation>Configurar minha máquina</translation>
+        </message>
+        <message>
             <source>Setting</source>
             <translation>Composição</translation>
+        </message>
+        <message>
+            <source>Shaft: turned on a lathe</source>
+            <translation>Eixo: torneado</translation>
         </message>
         <message>
             <source>Shank</source>
@@ -7851,6 +7995,10 @@
             <translation>Lados</translation>
         </message>
         <message>
+            <source>Sign: letters, a pocket and an outline with tabs</source>
+            <translation>Letreiro: letras, um bolsão e um contorno com pontes</translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
             <translation>Sinais e pinos</translation>
         </message>
@@ -7865,6 +8013,10 @@
         <message>
             <source>Simulate again</source>
             <translation>Simular de novo</translation>
+        </message>
+        <message>
+            <source>Simulation</source>
+            <translation>Simulação</translation>
         </message>
         <message>
             <source>Size</source>
@@ -8955,6 +9107,10 @@
             <translation>Espessura da alma</translation>
         </message>
         <message>
+            <source>This card does not come again by itself: it is in the menu CNCStepper, First steps.</source>
+            <translation>Este cartão não volta sozinho: está no menu CNCStepper, Primeiros passos.</translation>
+        </message>
+        <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
             <translation>Isto se corta por: {0}. O processo do trabalho é: {1}</translation>
         </message>
@@ -9033,10 +9189,6 @@
         <message>
             <source>To diameter</source>
             <translation>Até o diâmetro</translation>
-        </message>
-        <message>
-            <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
-            <translation>Para obter o que falta, digite em um terminal, com Python {0}, e reinicie o FreeCAD:</translation>
         </message>
         <message>
             <source>To the begin</source>
@@ -9151,6 +9303,10 @@
             <translation>Chapa triangular</translation>
         </message>
         <message>
+            <source>Try without hardware</source>
+            <translation>Experimentar sem máquina</translation>
+        </message>
+        <message>
             <source>Turning</source>
             <translation>Torneamento</translation>
         </message>
@@ -9245,6 +9401,10 @@
         <message>
             <source>Warnings</source>
             <translation>Avisos</translation>
+        </message>
+        <message>
+            <source>Watch it cut. Hold stops the feed and Resume goes on; Stop ends it.</source>
+            <translation>Veja o corte. Pausar detém o avanço e Retomar continua; Parar encerra.</translation>
         </message>
         <message>
             <source>Water jet</source>
@@ -9467,6 +9627,10 @@
             <translation>Largura do rasgo</translation>
         </message>
         <message>
+            <source>Wing rib: out of foam by a hot wire</source>
+            <translation>Nervura de asa: de espuma, por fio quente</translation>
+        </message>
+        <message>
             <source>Wire cut</source>
             <translation>Corte com fio</translation>
         </message>
@@ -9539,6 +9703,10 @@
             <translation>Y, passos</translation>
         </message>
         <message>
+            <source>Your first part is cut. A real machine goes the same road: set it up under Machines first.</source>
+            <translation>Sua primeira peça está cortada. Com uma máquina de verdade o caminho é o mesmo: configure-a antes em Máquinas.</translation>
+        </message>
+        <message>
             <source>Z of the cut</source>
             <translation>Z do corte</translation>
         </message>
@@ -9565,6 +9733,10 @@
         <message>
             <source>Zero's place</source>
             <translation>Lugar do zero</translation>
+        </message>
+        <message>
+            <source>Zip with packages ({0})</source>
+            <translation>Zip com pacotes ({0})</translation>
         </message>
         <message>
             <source>a comment</source>
@@ -9999,6 +10171,10 @@
             <translation>segue a trajetória exatamente</translation>
         </message>
         <message>
+            <source>for the command line</source>
+            <translation>para a linha de comando</translation>
+        </message>
+        <message>
             <source>front</source>
             <translation>frente</translation>
         </message>
@@ -10261,6 +10437,10 @@
         <message>
             <source>nothing to correct</source>
             <translation>nada a corrigir</translation>
+        </message>
+        <message>
+            <source>numba makes it fast from the next start of FreeCAD on.</source>
+            <translation>O numba o torna rápido a partir do próximo início do FreeCAD.</translation>
         </message>
         <message>
             <source>number of the line</source>
@@ -10665,6 +10845,26 @@
         <message>
             <source>to break the chip</source>
             <translation>para quebrar o cavaco</translation>
+        </message>
+        <message>
+            <source>to make programs</source>
+            <translation>para fazer programas</translation>
+        </message>
+        <message>
+            <source>to nest parts on sheets</source>
+            <translation>para encaixar peças em chapas</translation>
+        </message>
+        <message>
+            <source>to plan and simulate fast</source>
+            <translation>para planejar e simular depressa</translation>
+        </message>
+        <message>
+            <source>to reach a machine</source>
+            <translation>para falar com uma máquina</translation>
+        </message>
+        <message>
+            <source>to read and write files</source>
+            <translation>para ler e gravar arquivos</translation>
         </message>
         <message>
             <source>to the nearest edge</source>
@@ -11458,6 +11658,14 @@
             <translation>Chapa com olhal</translation>
         </message>
         <message>
+            <source>Fetching {name}</source>
+            <translation>Buscando {name}</translation>
+        </message>
+        <message>
+            <source>Fetching {name} ({size})</source>
+            <translation>Buscando {name} ({size})</translation>
+        </message>
+        <message>
             <source>First eye</source>
             <translation>Primeiro olhal</translation>
         </message>
@@ -11790,6 +11998,10 @@
             <translation>Nimbus Sans</translation>
         </message>
         <message>
+            <source>No module named pip</source>
+            <translation>Nenhum módulo chamado pip</translation>
+        </message>
+        <message>
             <source>O-words are nested too deeply</source>
             <translation>há palavras O aninhadas demais</translation>
         </message>
@@ -12012,6 +12224,10 @@
         <message>
             <source>Width of the slot</source>
             <translation>Largura do rasgo</translation>
+        </message>
+        <message>
+            <source>Writing {count} packages</source>
+            <translation>Gravando {count} pacotes</translation>
         </message>
         <message>
             <source>X goes past the centre</source>
@@ -12468,6 +12684,10 @@
         <message>
             <source>a number that no letter begins</source>
             <translation>um número sem letra antes dele</translation>
+        </message>
+        <message>
+            <source>a package that is to be replaced is in use</source>
+            <translation>um pacote a ser substituído está em uso</translation>
         </message>
         <message>
             <source>a parallel port has 25 pins, and one below zero is active low</source>
@@ -13446,6 +13666,10 @@
             <translation>deixe-a antes em Idle (pronta)</translation>
         </message>
         <message>
+            <source>build the zip for it: make installer PYTHONS={version}</source>
+            <translation>gere o zip para ele: make installer PYTHONS={version}</translation>
+        </message>
+        <message>
             <source>bytes when it is unpacked</source>
             <translation>bytes depois de descompactado</translation>
         </message>
@@ -13586,6 +13810,10 @@
             <translation>verifique o cabo, e veja que o controlador não esteja no modo de verificação ($C sai dele); depois envie de novo</translation>
         </message>
         <message>
+            <source>check the computer's clock, ask who runs the network for its certificate and set the environment variable PIP_CERT to that file, {zip}</source>
+            <translation>confira o relógio do computador, peça o certificado a quem cuida da rede e ponha na variável de ambiente PIP_CERT o caminho dele, {zip}</translation>
+        </message>
+        <message>
             <source>check the depth, or lay a spoil board under the stock</source>
             <translation>verifique a profundidade, ou ponha uma chapa de sacrifício sob o bloco</translation>
         </message>
@@ -13620,6 +13848,10 @@
         <message>
             <source>chip_load_min_mm must not exceed chip_load_max_mm</source>
             <translation>chip_load_min_mm não pode exceder chip_load_max_mm</translation>
+        </message>
+        <message>
+            <source>choose 'Install packages…' in the CNCStepper menu, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
+            <translation>escolha 'Instalar pacotes…' no menu CNCStepper, ou instale-os para o Python {version_info}.{version_info2} em uma pasta só deles (pip install --target PASTA) e ponha o nome dela na variável de ambiente CNCSTEPPER_PACKAGES</translation>
         </message>
         <message>
             <source>choose S from {min_rpm:g} to {max_rpm:g}</source>
@@ -13762,6 +13994,10 @@
             <translation>escolha o perfil de máquina certo, ou corrija as configurações</translation>
         </message>
         <message>
+            <source>choose the zip of 'make installer', or the folder in which its .whl files are</source>
+            <translation>escolha o zip de 'make installer', ou a pasta em que estão os arquivos .whl dele</translation>
+        </message>
+        <message>
             <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
             <translation>círculos e pontos de vários desenhos em torno do mesmo centro, um furo para cada: {twice}</translation>
         </message>
@@ -13776,6 +14012,10 @@
         <message>
             <source>clearance_mm must not be below retract_mm</source>
             <translation>clearance_mm (altura de segurança) não pode ser menor que retract_mm (retração)</translation>
+        </message>
+        <message>
+            <source>close all FreeCAD windows, start FreeCAD, and install before anything else</source>
+            <translation>feche todas as janelas do FreeCAD, abra-o de novo e instale antes de qualquer outra coisa</translation>
         </message>
         <message>
             <source>close it</source>
@@ -13878,6 +14118,10 @@
             <translation>conecte à porta dele sem perfil de máquina</translation>
         </message>
         <message>
+            <source>connect to the internet and try again, {zip}</source>
+            <translation>conecte-se à internet e tente de novo, {zip}</translation>
+        </message>
+        <message>
             <source>constant surface speed became a speed a move</source>
             <translation>a velocidade de corte constante virou uma rotação por movimento</translation>
         </message>
@@ -13892,6 +14136,10 @@
         <message>
             <source>coordinates alone may not follow {motion_name}</source>
             <translation>coordenadas sozinhas não podem vir depois de {motion_name}</translation>
+        </message>
+        <message>
+            <source>copy it again and compare its size</source>
+            <translation>copie-o de novo e compare o tamanho</translation>
         </message>
         <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
@@ -14392,6 +14640,10 @@
         <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
             <translation>entre em hélice ou rampa, ou no meio de um furo já aberto</translation>
+        </message>
+        <message>
+            <source>enter the proxy in FreeCAD (Preferences &gt; Addon Manager) with its name and password, as http://name:password@host:port, {zip}</source>
+            <translation>informe o proxy no FreeCAD (Preferências &gt; Gerenciador de Complementos) com nome e senha, como http://nome:senha@servidor:porta, {zip}</translation>
         </message>
         <message>
             <source>entered here, the program would do something else than when it is run whole</source>
@@ -15068,6 +15320,14 @@
         <message>
             <source>install CNCStepper on every worker, and look at the worker's log</source>
             <translation>instale o CNCStepper em cada processo de trabalho e veja o registro dele</translation>
+        </message>
+        <message>
+            <source>install Python {version} (Debian and Ubuntu: sudo apt-get install python3-pip), or set the environment variable {variable} to the path of one</source>
+            <translation>instale o Python {version} (Debian e Ubuntu: sudo apt-get install python3-pip), ou ponha na variável de ambiente {variable} o caminho de um</translation>
+        </message>
+        <message>
+            <source>install it (Debian and Ubuntu: sudo apt-get install python3-pip), {zip}, which brings a pip</source>
+            <translation>instale-o (Debian e Ubuntu: sudo apt-get install python3-pip), {zip}, que traz um pip</translation>
         </message>
         <message>
             <source>install it again, or choose another font</source>
@@ -15874,6 +16134,10 @@
             <translation>verifique o sistema de arquivos do controlador e tente de novo</translation>
         </message>
         <message>
+            <source>look at the details, and report them where they do not help</source>
+            <translation>veja os detalhes e envie-os a nós se não ajudarem</translation>
+        </message>
+        <message>
             <source>look at the machine</source>
             <translation>olhe a máquina</translation>
         </message>
@@ -16018,6 +16282,10 @@
             <translation>aumente resolution_mm</translation>
         </message>
         <message>
+            <source>make room (the packages take about 400 MB) and try again</source>
+            <translation>libere espaço (os pacotes ocupam cerca de 400 MB) e tente de novo</translation>
+        </message>
+        <message>
             <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
             <translation>libere espaço no disco de {folder} e verifique se você pode gravar ali; depois envie de novo</translation>
         </message>
@@ -16048,6 +16316,10 @@
         <message>
             <source>make the corner radius smaller</source>
             <translation>diminua o raio de canto</translation>
+        </message>
+        <message>
+            <source>make the folder writable for yourself; nothing needs an administrator</source>
+            <translation>dê a si mesmo permissão de gravar na pasta; nada precisa de administrador</translation>
         </message>
         <message>
             <source>make the job again</source>
@@ -16402,6 +16674,10 @@
             <translation>nicromo 0,4 mm</translation>
         </message>
         <message>
+            <source>no Python {version} is found outside FreeCAD to run pip with</source>
+            <translation>nenhum Python {version} foi achado fora do FreeCAD para rodar o pip</translation>
+        </message>
+        <message>
             <source>no arc or wire stands at more than 10 kV</source>
             <translation>nenhum arco ou fio fica a mais de 10 kV</translation>
         </message>
@@ -16632,6 +16908,10 @@
         <message>
             <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
             <translation>nenhum caminho pelo retalho leva ao que fica em X{x:.3f} Y{y:.3f}</translation>
+        </message>
+        <message>
+            <source>no wheels in</source>
+            <translation>nenhum pacote em</translation>
         </message>
         <message>
             <source>none of the selected drawings can be followed</source>
@@ -16982,6 +17262,10 @@
             <translation>a operação {number} usa a ferramenta {tool}, que o trabalho não tem: ele tem {tools}</translation>
         </message>
         <message>
+            <source>or press 'From files' and take the zip that 'make installer' has built on a computer with internet</source>
+            <translation>ou aperte 'De arquivos' e use o zip que 'make installer' gerou em um computador com internet</translation>
+        </message>
+        <message>
             <source>order table</source>
             <translation>tabela de pedido</translation>
         </message>
@@ -17088,6 +17372,10 @@
         <message>
             <source>pins: two signals are on one pin</source>
             <translation>pins: dois sinais estão no mesmo pino</translation>
+        </message>
+        <message>
+            <source>pip could not install the packages: {said}</source>
+            <translation>o pip não conseguiu instalar os pacotes: {said}</translation>
         </message>
         <message>
             <source>pitch_mm is lowered to {pitch_mm:.3f} mm, for the helix must not fall by more than {most_deg:g}°</source>
@@ -17500,10 +17788,6 @@
         <message>
             <source>rows must be a list of tables</source>
             <translation>as linhas têm de ser uma lista de tabelas</translation>
-        </message>
-        <message>
-            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
-            <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {version_info}.{version_info2} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
         </message>
         <message>
             <source>run this job with cncstepper run</source>
@@ -18242,6 +18526,10 @@
             <translation>a palavra P é maior do que o controlador permite</translation>
         </message>
         <message>
+            <source>the Python that belongs to this FreeCAD has no pip</source>
+            <translation>o Python deste FreeCAD não tem o pip</translation>
+        </message>
+        <message>
             <source>the USB board's controller</source>
             <translation>o controlador da placa USB</translation>
         </message>
@@ -18870,6 +19158,10 @@
             <translation>o disco</translation>
         </message>
         <message>
+            <source>the disk is full</source>
+            <translation>o disco está cheio</translation>
+        </message>
+        <message>
             <source>the document unpacks to too much</source>
             <translation>o documento descompactado é grande demais</translation>
         </message>
@@ -19234,12 +19526,20 @@
             <translation>a pasta não existe</translation>
         </message>
         <message>
+            <source>the folder for packages cannot be written</source>
+            <translation>a pasta de pacotes não pode ser gravada</translation>
+        </message>
+        <message>
             <source>the folder is a link</source>
             <translation>a pasta é um link</translation>
         </message>
         <message>
             <source>the folder of sessions cannot be used: {error}</source>
             <translation>a pasta das sessões não pode ser usada: {error}</translation>
+        </message>
+        <message>
+            <source>the folder or zip has no {packages} for Python {version} on {system}</source>
+            <translation>a pasta ou o zip não tem {packages} para o Python {version} no {system}</translation>
         </message>
         <message>
             <source>the font '{family}' has no style '{style}'</source>
@@ -19938,6 +20238,10 @@
             <translation>os ajustes de velocidade não são os de antes do reinício</translation>
         </message>
         <message>
+            <source>the package index cannot be reached</source>
+            <translation>o índice de pacotes não responde</translation>
+        </message>
+        <message>
             <source>the packing of a strip</source>
             <translation>o empacotamento de uma faixa</translation>
         </message>
@@ -20350,6 +20654,10 @@
             <translation>a verificação encontrou {errors} erro(s) no programa, o primeiro: {text}</translation>
         </message>
         <message>
+            <source>the proxy of this network does not let pip through</source>
+            <translation>o proxy desta rede não deixa o pip passar</translation>
+        </message>
+        <message>
             <source>the pulses have ended</source>
             <translation>os pulsos terminaram</translation>
         </message>
@@ -20496,6 +20804,10 @@
         <message>
             <source>the section of sheet {number} is not closed</source>
             <translation>a seção da chapa {number} não é fechada</translation>
+        </message>
+        <message>
+            <source>the secure connection to the package index was refused, as in a network that looks into it</source>
+            <translation>a conexão segura com o índice de pacotes foi recusada, como em uma rede que a inspeciona</translation>
         </message>
         <message>
             <source>the sender failed by a fault of its own</source>
@@ -21042,6 +21354,10 @@
             <translation>o zero do torno só pode ser definido em modo manual: {0}</translation>
         </message>
         <message>
+            <source>the zip is damaged or not whole</source>
+            <translation>o zip está danificado ou incompleto</translation>
+        </message>
+        <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
             <translation>a forma da ferramenta {tool_shape} não foi informada, por isso é avaliada como fresa reta do mesmo diâmetro</translation>
         </message>
@@ -21080,6 +21396,10 @@
         <message>
             <source>there are A to Z for pulses and {0} for devices</source>
             <translation>há de A a Z para pulsos e {0} para dispositivos</translation>
+        </message>
+        <message>
+            <source>there are no packages in the folder or zip</source>
+            <translation>não há pacotes na pasta ou no zip</translation>
         </message>
         <message>
             <source>there are no relays</source>
@@ -21244,6 +21564,10 @@
         <message>
             <source>there is no {name} of that name</source>
             <translation>não há {name} com esse nome</translation>
+        </message>
+        <message>
+            <source>there is no {packages} for Python {version} on {system}</source>
+            <translation>não há {packages} para o Python {version} no {system}</translation>
         </message>
         <message>
             <source>there is nothing to find</source>
@@ -21808,6 +22132,10 @@
         <message>
             <source>use X or Y</source>
             <translation>use X ou Y</translation>
+        </message>
+        <message>
+            <source>use a FreeCAD of freecad.org, whose Python has all packages</source>
+            <translation>use um FreeCAD de freecad.org, cujo Python tem todos os pacotes</translation>
         </message>
         <message>
             <source>use a boring bar</source>
@@ -23920,6 +24248,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_FirstSteps</name>
+        <message>
+            <source>First steps…</source>
+            <translation>Primeiros passos…</translation>
+        </message>
+        <message>
+            <source>Three ways to begin: a tour without a machine, your machine, an example</source>
+            <translation>Três modos de começar: um passeio sem máquina, a sua máquina, um exemplo</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Freehand</name>
         <message>
             <source>Draws a line with the mouse: press, move, release</source>
@@ -23950,6 +24289,17 @@
         <message>
             <source>Import tools…</source>
             <translation>Importar ferramentas…</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Install</name>
+        <message>
+            <source>Install packages…</source>
+            <translation>Instalar pacotes…</translation>
+        </message>
+        <message>
+            <source>Installs the Python packages that are missing, from the internet or from files</source>
+            <translation>Instala os pacotes do Python que faltam, da internet ou de arquivos</translation>
         </message>
     </context>
     <context>

@@ -135,7 +135,7 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
     texts = hand.main(shown_texts)
     menu = [*LABELS.values()]
     menu[menu.index("Edit program") : menu.index("Edit program")] = ["Duplicate", "Move up", "Move down"]
-    assert texts == [list(LABELS.values()), [*menu, "Open job…", "Export job…"]]
+    assert texts == [list(LABELS.values()), [*menu, "Open job…", "Export job…", "First steps…", "Install packages…"]]
     assert hand.main(lambda: all(not action(name).icon().isNull() for name in LABELS))
     hand.menu("CNCStepper")
     hand.shot("menu")
@@ -306,13 +306,19 @@ def test_without_shapely_it_opens_and_says_how_to_get_it(hand: Hand, hidden: Any
     assert "lacks shapely" in reason(hand, NEW_JOB)
     notice = hand.find("CNCStepper_Tell_notice")
     assert hand.main(notice.text).count("\n") == 1
-    command = hand.main(notice.informativeText)
-    assert f"{sys.version_info[0]}.{sys.version_info[1]}" in command
-    assert command.endswith('" shapely pyserial')
+    assert "Install packages" in hand.main(notice.informativeText)
     assert not hand.main(notice.isModal)
     hand.shot("missing-packages", notice)
-    hand.button("OK")
+    hand.click(hand.find("CNCStepper_Tell_remedy"))
     hand.wait(lambda: not any(box.isVisible() for box in boxes()))
+    dialog = hand.find("CNCStepper_Install")
+    listed = hand.find("CNCStepper_Install_list")
+    texts = hand.main(lambda: [listed.item(row).text() for row in range(listed.count())])
+    assert [text.split()[0] for text in texts] == ["shapely", "pyserial"]
+    assert str(packages.own_folder()) in hand.text("CNCStepper_Install_place")
+    hand.shot("install-packages", dialog)
+    hand.click(hand.find("CNCStepper_Install_close"))
+    hand.wait(lambda: not dialog.isVisible())
 
 
 def boxes() -> list[Any]:
