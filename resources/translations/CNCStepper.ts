@@ -244,6 +244,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
@@ -297,6 +301,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -416,6 +424,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Core Diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -497,6 +513,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -633,6 +653,14 @@
         </message>
         <message>
             <source>Drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -784,6 +812,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation type="unfinished"></translation>
         </message>
@@ -888,6 +920,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -940,6 +976,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -953,6 +993,10 @@
         </message>
         <message>
             <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1220,6 +1264,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many of each are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many parts are cut free</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1392,6 +1440,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1409,6 +1461,10 @@
         </message>
         <message>
             <source>Job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1728,6 +1784,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Mend</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1769,6 +1829,10 @@
         </message>
         <message>
             <source>Minor Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1817,6 +1881,10 @@
         </message>
         <message>
             <source>Of a sheet of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of each part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1869,6 +1937,10 @@
         </message>
         <message>
             <source>Of the tip; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1948,7 +2020,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part Values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2072,6 +2156,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2176,6 +2268,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2249,6 +2345,10 @@
         </message>
         <message>
             <source>Registration holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2356,6 +2456,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheet Grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet X</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2368,6 +2472,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheets There</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheets of material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2377,6 +2485,10 @@
         </message>
         <message>
             <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2393,6 +2505,14 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2784,6 +2904,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2960,6 +3084,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The place of the work zero in this document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2989,6 +3117,10 @@
         </message>
         <message>
             <source>The program, kept in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The programs and their places</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3220,6 +3352,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3248,6 +3384,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3261,6 +3401,10 @@
         </message>
         <message>
             <source>Unreachable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3332,6 +3476,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3345,6 +3493,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3452,6 +3608,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3551,6 +3711,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>0° to 270°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0°, 180°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>1 to 9, where the tip lies; 0: by kind and hand</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3584,6 +3752,10 @@
         </message>
         <message>
             <source>A circle about the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A click on a row with a place moves the view there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3675,11 +3847,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A line for each, as in job files: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A locked part stays where it is; press again to unlock it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3875,7 +4055,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a G-code file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a rule after the marked one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add drawings, sketches or operations of the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3900,6 +4096,10 @@
         </message>
         <message>
             <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3928,6 +4128,10 @@
         </message>
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4047,6 +4251,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arrangement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arranging…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arrow</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4055,11 +4267,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>As in the file; * is any text, ; divides several</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>As many as can be made at most, in Hz</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>As people call the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As the machine's cut charts name it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4163,6 +4383,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4224,6 +4448,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4391,6 +4619,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Columns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4499,6 +4731,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Copy of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4544,6 +4784,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4647,7 +4891,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Delete</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Delete a point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Delete the marked rule</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4692,6 +4944,10 @@
         </message>
         <message>
             <source>Diameter and height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter at Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4799,11 +5055,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Drag knife</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drag parts in the view; with Shift they turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4836,6 +5100,14 @@
         </message>
         <message>
             <source>Drawings ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4936,6 +5208,10 @@
         </message>
         <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End the search with the best so far</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5103,6 +5379,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill the sheet of the chosen one, or the first, with the marked row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Filled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5128,6 +5424,10 @@
         </message>
         <message>
             <source>Finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5299,6 +5599,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a folder…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5419,6 +5723,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Further values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>F{0} in/min</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5432,6 +5740,10 @@
         </message>
         <message>
             <source>F{0} mm/rev</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G-code files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5519,6 +5831,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5539,6 +5855,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Group</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gusset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5548,6 +5868,10 @@
         </message>
         <message>
             <source>HDPE plastic</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Half</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5875,6 +6199,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5900,6 +6228,10 @@
         </message>
         <message>
             <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many of each are wanted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5956,6 +6288,10 @@
         </message>
         <message>
             <source>How many; 0: those of the designation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the part is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6031,6 +6367,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Import a drawing first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6056,6 +6396,10 @@
         </message>
         <message>
             <source>In machine coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In mm from the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6167,11 +6511,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its direction that lies along the grain of the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its name, which is the operation's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6196,6 +6552,10 @@
         </message>
         <message>
             <source>Jobs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6299,6 +6659,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Layer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lead-in</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6328,6 +6692,10 @@
         </message>
         <message>
             <source>Leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Leave out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6463,6 +6831,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Locking wheel</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6575,6 +6947,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Making the job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6595,6 +6971,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Marks of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6604,6 +6984,10 @@
         </message>
         <message>
             <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material that stays between two cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6660,6 +7044,10 @@
         </message>
         <message>
             <source>Mirror…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6727,6 +7115,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Move the marked rule after the one below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move the marked rule before the one above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Moved by</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6763,7 +7159,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nesting the pieces: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6780,6 +7188,10 @@
         </message>
         <message>
             <source>New program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New, with the tools of the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6816,6 +7228,10 @@
         </message>
         <message>
             <source>No place is chosen yet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>None</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6899,6 +7315,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of each part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6951,11 +7371,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the stock around the drawing, in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the stock, in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the tip below the finished end face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Of the tip; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6995,6 +7427,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>One of the template's tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>One step back</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7028,6 +7464,10 @@
         </message>
         <message>
             <source>Open pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open template</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7151,6 +7591,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parts of a larger number are placed first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7231,7 +7683,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Place all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all copies that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all parts that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Place of the mirror, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7459,6 +7931,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7619,6 +8095,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Remnants</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnant…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Remove</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7751,6 +8239,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Rule</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rule {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rules</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7784,6 +8280,14 @@
         </message>
         <message>
             <source>Save program as…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save these rules as a template of the shop</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7956,6 +8460,10 @@
         </message>
         <message>
             <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8307,6 +8815,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8323,11 +8835,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the chosen part from its sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the dial's reading from both sides first.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Take the line numbers out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out of the nest</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8339,6 +8863,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the template of a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taken out, drawn twice</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8347,11 +8875,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Takes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Templates ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8515,6 +9063,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8572,6 +9124,10 @@
         </message>
         <message>
             <source>The first line that is not certainly cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The first rule that takes a contour has it; operations come in this order</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8799,6 +9355,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The path of the last job is read…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8871,6 +9431,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The programs and their places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of loops at sharp outside corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8888,6 +9452,14 @@
         </message>
         <message>
             <source>The retract along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rotations in which it may lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rule with the sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9091,6 +9663,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>There is nothing that fits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9128,6 +9704,10 @@
         </message>
         <message>
             <source>Thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Three quarters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9227,6 +9807,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tool length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9307,6 +9891,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn the chosen part to its next rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9371,11 +9963,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use a drawing of a rest of a sheet first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Use the tool of the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use whole sheets only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>V-bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9411,6 +10015,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What becomes of the contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What becomes one object</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9419,7 +10027,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
+            <source>What is one step, on or back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9463,6 +10071,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where along the axis the diameter is read; a click on the part sets it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where it begins; 0: that of the profile or the usual fit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9472,6 +10084,10 @@
         </message>
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the copies lie</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9488,6 +10104,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9535,6 +10159,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether it takes closed contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether it takes contours that the file fills</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether it works in a bore</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9568,6 +10200,10 @@
         </message>
         <message>
             <source>While pressed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whole part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9647,7 +10283,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the one checked program of all copies</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9831,6 +10479,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>any</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ap, recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9951,6 +10603,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bounded engagement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10024,6 +10680,10 @@
         </message>
         <message>
             <source>choose</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>click on the part, or type a Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10287,6 +10947,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leads the program elsewhere</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10296,6 +10960,10 @@
         </message>
         <message>
             <source>left</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>left out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10327,11 +10995,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>low</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>make room in the folder for temporary files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>marks of a sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10399,11 +11075,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no errors</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no material there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no rule</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10420,6 +11108,10 @@
         </message>
         <message>
             <source>none yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10655,6 +11347,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>raw surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>rear</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10807,6 +11503,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the only one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10832,6 +11532,10 @@
         </message>
         <message>
             <source>threading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>through the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10915,6 +11619,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>yes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>yours</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10936,6 +11644,10 @@
         </message>
         <message>
             <source>{0} (edited)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} (example)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10999,6 +11711,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} lines change:</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11028,6 +11744,10 @@
         </message>
         <message>
             <source>{0} on layer '{1}' was left out: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} parts on {1} sheets, {2} missing; the sheets are used to {3} %</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11103,11 +11823,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}: its file has changed; Reload in the tree takes it anew</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0}: its file is not there any more; what was read stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: its operations are replaced</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11128,6 +11856,14 @@
         </message>
         <message>
             <source>… and {0} more lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}, bore ⌀ {1}</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
@@ -11155,6 +11891,10 @@
         </message>
         <message>
             <source>'cncstepper drawing' prints its layers and colours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is no number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11231,6 +11971,10 @@
         </message>
         <message>
             <source>'{line}' is no row of a profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{name}' holds no lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12706,6 +13450,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a part or a value has changed since the parts were nested</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12795,6 +13543,10 @@
         </message>
         <message>
             <source>a program on the controller stopped at an error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program or a value has changed since they were arranged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13154,6 +13906,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add jobs, programs or files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13351,6 +14107,10 @@
         </message>
         <message>
             <source>arcs outside the plane XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arrange them again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13942,6 +14702,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13979,6 +14743,10 @@
         </message>
         <message>
             <source>choose other values, or try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose the job whose machine runs it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15626,6 +16394,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it was not placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16662,6 +17434,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nest them again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16795,6 +17571,10 @@
         </message>
         <message>
             <source>no parallel curve that far inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no part is chosen</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17386,6 +18166,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>place the copies elsewhere</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>place them farther apart, or --allow-overlap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17435,6 +18219,10 @@
         </message>
         <message>
             <source>prepare this program's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press on one in the 3D view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17879,6 +18667,10 @@
         </message>
         <message>
             <source>select a sketch, wires, faces or edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>select drawings or sketches and add them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18390,6 +19182,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take it out of the parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take it out of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18607,6 +19403,10 @@
         </message>
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arrangement has no job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19571,6 +20371,10 @@
         </message>
         <message>
             <source>the front edge of the insert does not reach the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the further values cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21402,6 +22206,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there are no parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there are no relays</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21447,6 +22255,14 @@
         </message>
         <message>
             <source>there is no dialect '{base}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no drawing '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no file for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22706,6 +23522,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a line for each: stepdown_mm = 2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23199,6 +24019,10 @@
         </message>
         <message>
             <source>{count} lines have markers, which are not read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} of {name}: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24127,6 +24951,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Arrangement</name>
+        <message>
+            <source>Arrange programs…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Bore</name>
         <message>
             <source>Bore</source>
@@ -24347,6 +25182,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Nest</name>
+        <message>
+            <source>Nest on sheets…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places the selected drawings on sheets of material, as often as they are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_NewJob</name>
         <message>
             <source>Makes a job. A selected solid or drawing gives its stock</source>
@@ -24453,6 +25299,17 @@
         </message>
         <message>
             <source>Slice a solid…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Template</name>
+        <message>
+            <source>Makes a job of an imported drawing by rules: layer, colour or name to operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template…</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

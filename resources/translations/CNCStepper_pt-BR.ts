@@ -244,6 +244,10 @@
             <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation>Entre os cortes de duas cópias</translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation>Entre os flancos de uma ferramenta de roscar; 0: o da pastilha</translation>
         </message>
@@ -298,6 +302,10 @@
         <message>
             <source>By colour</source>
             <translation>Por cor</translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
+            <translation>Pela metade dele os cortes são mais largos que os caminhos</translation>
         </message>
         <message>
             <source>By which the radius grows towards the chuck</source>
@@ -416,6 +424,14 @@
             <translation>Refrigeração</translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation>Cópias na superfície de trabalho</translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation>Cópias colocadas pela busca podem ser giradas</translation>
+        </message>
+        <message>
             <source>Core Diameter</source>
             <translation>Diâmetro do núcleo</translation>
         </message>
@@ -498,6 +514,10 @@
         <message>
             <source>Count</source>
             <translation>Quantidade</translation>
+        </message>
+        <message>
+            <source>Counts</source>
+            <translation>Quantidades</translation>
         </message>
         <message>
             <source>Crest diameter</source>
@@ -634,6 +654,14 @@
         <message>
             <source>Drawings</source>
             <translation>Desenhos</translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation>Desenhos de retalhos de chapas, que são usados primeiro</translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
+            <translation>Desenhos, esboços, formas e operações cujos contornos são aninhados</translation>
         </message>
         <message>
             <source>Dwell</source>
@@ -784,6 +812,10 @@
             <translation>Estado do arquivo</translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation>Arquivos</translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation>Acabamento</translation>
         </message>
@@ -888,6 +920,10 @@
             <translation>De Z</translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation>De um corte à borda da chapa</translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation>De uma peça à borda da chapa</translation>
         </message>
@@ -940,6 +976,10 @@
             <translation>Aresta dianteira</translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation>Arquivos de código G</translation>
+        </message>
+        <message>
             <source>Gap</source>
             <translation>Vão</translation>
         </message>
@@ -954,6 +994,10 @@
         <message>
             <source>Good side</source>
             <translation>Lado bom</translation>
+        </message>
+        <message>
+            <source>Grain</source>
+            <translation>Veio</translation>
         </message>
         <message>
             <source>Greatest Depth</source>
@@ -1220,6 +1264,10 @@
             <translation>Quantas pontes em cada contorno</translation>
         </message>
         <message>
+            <source>How many of each are wanted</source>
+            <translation>Quantos de cada um são pedidos</translation>
+        </message>
+        <message>
             <source>How many parts are cut free</source>
             <translation>Quantas peças são soltas</translation>
         </message>
@@ -1392,6 +1440,10 @@
             <translation>Sua designação: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation>A máquina dele executa e verifica o programa inteiro</translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation>Seu nome nos arquivos de trabalho</translation>
         </message>
@@ -1410,6 +1462,10 @@
         <message>
             <source>Job</source>
             <translation>Trabalho</translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
+            <translation>Trabalhos e programas do documento</translation>
         </message>
         <message>
             <source>Join</source>
@@ -1728,6 +1784,10 @@
             <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation>Material que fica entre dois cortes</translation>
+        </message>
+        <message>
             <source>Mend</source>
             <translation>Reparar</translation>
         </message>
@@ -1770,6 +1830,10 @@
         <message>
             <source>Minor Used</source>
             <translation>Diâmetro menor usado</translation>
+        </message>
+        <message>
+            <source>Missing</source>
+            <translation>Faltam</translation>
         </message>
         <message>
             <source>Most Turns</source>
@@ -1818,6 +1882,10 @@
         <message>
             <source>Of a sheet of material</source>
             <translation>De uma chapa de material</translation>
+        </message>
+        <message>
+            <source>Of each part</source>
+            <translation>De cada peça</translation>
         </message>
         <message>
             <source>Of its curves</source>
@@ -1870,6 +1938,10 @@
         <message>
             <source>Of the tip; 0: that of the insert</source>
             <translation>Da ponta; 0: o da pastilha</translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
+            <translation>Da superfície de trabalho</translation>
         </message>
         <message>
             <source>Of the written program</source>
@@ -1948,8 +2020,20 @@
             <translation>Parte</translation>
         </message>
         <message>
+            <source>Part Values</source>
+            <translation>Valores das peças</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation>Peças em todas as chapas</translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation>Peças sem lugar</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -2072,6 +2156,14 @@
             <translation>Ângulo inicial</translation>
         </message>
         <message>
+            <source>Placed</source>
+            <translation>Colocadas</translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation>Posições</translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation>Lugares</translation>
         </message>
@@ -2176,6 +2268,10 @@
             <translation>Saída</translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation>Quartos de volta</translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation>Passes radiais</translation>
         </message>
@@ -2250,6 +2346,10 @@
         <message>
             <source>Registration holes</source>
             <translation>Furos de registro</translation>
+        </message>
+        <message>
+            <source>Remnants</source>
+            <translation>Retalhos</translation>
         </message>
         <message>
             <source>Repair</source>
@@ -2356,6 +2456,10 @@
             <translation>Número de chapas</translation>
         </message>
         <message>
+            <source>Sheet Grain</source>
+            <translation>Veio da chapa</translation>
+        </message>
+        <message>
             <source>Sheet X</source>
             <translation>Chapa X</translation>
         </message>
@@ -2368,6 +2472,10 @@
             <translation>Chapas</translation>
         </message>
         <message>
+            <source>Sheets There</source>
+            <translation>Chapas disponíveis</translation>
+        </message>
+        <message>
             <source>Sheets of material</source>
             <translation>Chapas de material</translation>
         </message>
@@ -2378,6 +2486,10 @@
         <message>
             <source>Sheets of the stack</source>
             <translation>Chapas da pilha</translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
+            <translation>Chapas que têm peças</translation>
         </message>
         <message>
             <source>Shorter than</source>
@@ -2394,6 +2506,14 @@
         <message>
             <source>Size</source>
             <translation>Tamanho</translation>
+        </message>
+        <message>
+            <source>Size X</source>
+            <translation>Tamanho X</translation>
+        </message>
+        <message>
+            <source>Size Y</source>
+            <translation>Tamanho Y</translation>
         </message>
         <message>
             <source>Slant</source>
@@ -2784,6 +2904,10 @@
             <translation>A direção da aresta dianteira a partir da ponta, de Z+ para X+</translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation>A direção do veio do material</translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation>O documento e o nome do próprio objeto; uma cópia ainda tem os do original</translation>
         </message>
@@ -2960,6 +3084,10 @@
             <translation>As peças e corpos com os quais os desenhos se movem</translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation>As peças e os valores</translation>
+        </message>
+        <message>
             <source>The place of the work zero in this document</source>
             <translation>Onde fica o zero-peça neste documento</translation>
         </message>
@@ -2990,6 +3118,10 @@
         <message>
             <source>The program, kept in this document</source>
             <translation>O programa, guardado neste documento</translation>
+        </message>
+        <message>
+            <source>The programs and their places</source>
+            <translation>Os programas e seus lugares</translation>
         </message>
         <message>
             <source>The radius of loops at sharp outside corners</source>
@@ -3220,6 +3352,10 @@
             <translation>Forma da ferramenta</translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation>Diâmetro da ferramenta</translation>
+        </message>
+        <message>
             <source>Tools</source>
             <translation>Ferramentas</translation>
         </message>
@@ -3248,6 +3384,10 @@
             <translation>Traça o que é claro em vez do que é escuro</translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation>Girar</translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
         </message>
@@ -3262,6 +3402,10 @@
         <message>
             <source>Unreachable</source>
             <translation>Inalcançável</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Valores</translation>
         </message>
         <message>
             <source>Wall Z</source>
@@ -3332,6 +3476,10 @@
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation>Onde estão as cópias</translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation>Onde os desenhos são gravados; vazio: ao lado do documento</translation>
         </message>
@@ -3346,6 +3494,14 @@
         <message>
             <source>Where the line ends</source>
             <translation>Onde a linha termina</translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation>Onde estão as peças</translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
+            <translation>Onde o programa é gravado; vazio: ao lado do documento</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -3452,6 +3608,10 @@
             <translation>Sistema de coordenadas</translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation>Superfície de trabalho</translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation>Zero-peça</translation>
         </message>
@@ -3551,6 +3711,14 @@
             <translation>0: um grau menos que o flanco</translation>
         </message>
         <message>
+            <source>0° to 270°</source>
+            <translation>0° a 270°</translation>
+        </message>
+        <message>
+            <source>0°, 180°</source>
+            <translation>0°, 180°</translation>
+        </message>
+        <message>
             <source>1 to 9, where the tip lies; 0: by kind and hand</source>
             <translation>1 a 9, onde fica a ponta; 0: conforme o tipo e a mão</translation>
         </message>
@@ -3585,6 +3753,10 @@
         <message>
             <source>A circle about the zero.</source>
             <translation>Um círculo em torno do zero.</translation>
+        </message>
+        <message>
+            <source>A click on a row with a place moves the view there</source>
+            <translation>Um clique numa linha com um lugar leva a vista até lá</translation>
         </message>
         <message>
             <source>A controller is connected already.</source>
@@ -3675,12 +3847,20 @@
             <translation>Potência do laser que sobe depois da perfuração</translation>
         </message>
         <message>
+            <source>A line for each, as in job files: {0}</source>
+            <translation>Uma linha para cada, como nos arquivos de trabalho: {0}</translation>
+        </message>
+        <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
             <translation>Uma linha para o controlador, enviada com Enter. As setas trazem de volta as linhas anteriores.</translation>
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
             <translation>Uma linha do programa que já foi cortada.</translation>
+        </message>
+        <message>
+            <source>A locked part stays where it is; press again to unlock it</source>
+            <translation>Uma peça travada fica onde está; pressione de novo para destravar</translation>
         </message>
         <message>
             <source>A lower feed at corners</source>
@@ -3875,8 +4055,24 @@
             <translation>Adicionar</translation>
         </message>
         <message>
+            <source>Add a G-code file</source>
+            <translation>Adicionar um arquivo de código G</translation>
+        </message>
+        <message>
+            <source>Add a rule after the marked one</source>
+            <translation>Acrescenta uma regra depois da marcada</translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
             <translation>Adiciona uma ferramenta a este trabalho</translation>
+        </message>
+        <message>
+            <source>Add drawings, sketches or operations of the document</source>
+            <translation>Adicionar desenhos, esboços ou operações do documento</translation>
+        </message>
+        <message>
+            <source>Add jobs and programs of the document</source>
+            <translation>Adicionar trabalhos e programas do documento</translation>
         </message>
         <message>
             <source>Add selected</source>
@@ -3901,6 +4097,10 @@
         <message>
             <source>Added between letters</source>
             <translation>Acrescentado entre as letras</translation>
+        </message>
+        <message>
+            <source>Add…</source>
+            <translation>Adicionar…</translation>
         </message>
         <message>
             <source>After {0}</source>
@@ -3929,6 +4129,10 @@
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
             <translation>Todas as linhas foram enviadas; os últimos movimentos estão sendo usinados.</translation>
+        </message>
+        <message>
+            <source>All of them</source>
+            <translation>Todos</translation>
         </message>
         <message>
             <source>All packages that CNCStepper works with are there.</source>
@@ -4047,6 +4251,14 @@
             <translation>Em volta das castanhas; 0: nenhuma castanha sobressai</translation>
         </message>
         <message>
+            <source>Arrangement</source>
+            <translation>Disposição</translation>
+        </message>
+        <message>
+            <source>Arranging…</source>
+            <translation>Dispondo…</translation>
+        </message>
+        <message>
             <source>Arrow</source>
             <translation>Seta</translation>
         </message>
@@ -4055,12 +4267,20 @@
             <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
+            <source>As in the file; * is any text, ; divides several</source>
+            <translation>Como no arquivo; * é qualquer texto, ; separa vários</translation>
+        </message>
+        <message>
             <source>As many as can be made at most, in Hz</source>
             <translation>Quantos podem ser gerados no máximo, em Hz</translation>
         </message>
         <message>
             <source>As people call the machine</source>
             <translation>Como as pessoas chamam a máquina</translation>
+        </message>
+        <message>
+            <source>As the machine's cut charts name it</source>
+            <translation>Como as tabelas de corte da máquina o chamam</translation>
         </message>
         <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
@@ -4163,6 +4383,10 @@
             <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation>Entre os cortes de duas cópias</translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation>Entre os flancos de uma ferramenta de roscar; 0: o da pastilha</translation>
         </message>
@@ -4225,6 +4449,10 @@
         <message>
             <source>By colour</source>
             <translation>Por cor</translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
+            <translation>Pela metade dele os cortes são mais largos que os caminhos</translation>
         </message>
         <message>
             <source>By which share the lathe may be slower than its published step times</source>
@@ -4391,6 +4619,10 @@
             <translation>Linhas fechadas em volta do que é faceado; sem elas, o bloco inteiro</translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation>Cor</translation>
+        </message>
+        <message>
             <source>Columns</source>
             <translation>Colunas</translation>
         </message>
@@ -4499,6 +4731,14 @@
             <translation>Refrigeração</translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation>Cópias na superfície de trabalho</translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation>Cópias colocadas pela busca podem ser giradas</translation>
+        </message>
+        <message>
             <source>Copy of {0}</source>
             <translation>Cópia de {0}</translation>
         </message>
@@ -4545,6 +4785,10 @@
         <message>
             <source>Count</source>
             <translation>Quantidade</translation>
+        </message>
+        <message>
+            <source>Counts</source>
+            <translation>Quantidades</translation>
         </message>
         <message>
             <source>Crescent</source>
@@ -4647,8 +4891,16 @@
             <translation>Degressão</translation>
         </message>
         <message>
+            <source>Delete</source>
+            <translation>Excluir</translation>
+        </message>
+        <message>
             <source>Delete a point</source>
             <translation>Excluir um ponto</translation>
+        </message>
+        <message>
+            <source>Delete the marked rule</source>
+            <translation>Exclui a regra marcada</translation>
         </message>
         <message>
             <source>Delete the marked tool</source>
@@ -4693,6 +4945,10 @@
         <message>
             <source>Diameter and height</source>
             <translation>Diâmetro e altura</translation>
+        </message>
+        <message>
+            <source>Diameter at Z</source>
+            <translation>Diâmetro em Z</translation>
         </message>
         <message>
             <source>Diameter cut away</source>
@@ -4799,12 +5055,20 @@
             <translation>Duplicadas</translation>
         </message>
         <message>
+            <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
+            <translation>Arraste uma peça para movê-la, com Shift para girá-la; Delete a retira</translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation>Arraste um ponto para movê-lo, a linha para adicionar um; Delete exclui o ponto sob o cursor. Esc: terminar.</translation>
         </message>
         <message>
             <source>Drag knife</source>
             <translation>Faca de arrasto</translation>
+        </message>
+        <message>
+            <source>Drag parts in the view; with Shift they turn</source>
+            <translation>Arraste as peças na vista; com Shift elas giram</translation>
         </message>
         <message>
             <source>Draw a freehand line</source>
@@ -4837,6 +5101,14 @@
         <message>
             <source>Drawings ({0})</source>
             <translation>Desenhos ({0})</translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation>Desenhos de retalhos de chapas, que são usados primeiro</translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
+            <translation>Desenhos, esboços, formas e operações cujos contornos são aninhados</translation>
         </message>
         <message>
             <source>Drawn twice</source>
@@ -4937,6 +5209,10 @@
         <message>
             <source>End angle</source>
             <translation>Ângulo final</translation>
+        </message>
+        <message>
+            <source>End the search with the best so far</source>
+            <translation>Terminar a busca com o melhor até agora</translation>
         </message>
         <message>
             <source>Ends joined</source>
@@ -5103,6 +5379,26 @@
             <translation>Arquivo</translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation>Arquivos</translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation>Arquivo…</translation>
+        </message>
+        <message>
+            <source>Fill</source>
+            <translation>Preencher</translation>
+        </message>
+        <message>
+            <source>Fill the sheet of the chosen one, or the first, with the marked row</source>
+            <translation>Preencher a chapa da escolhida, ou a primeira, com a linha marcada</translation>
+        </message>
+        <message>
+            <source>Filled</source>
+            <translation>Preenchido</translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation>Localizar</translation>
         </message>
@@ -5129,6 +5425,10 @@
         <message>
             <source>Finishing</source>
             <translation>Terminando</translation>
+        </message>
+        <message>
+            <source>First</source>
+            <translation>Primeiro</translation>
         </message>
         <message>
             <source>First corner</source>
@@ -5299,6 +5599,10 @@
             <translation>De Z</translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation>De um corte à borda da chapa</translation>
+        </message>
+        <message>
             <source>From a folder…</source>
             <translation>De uma pasta…</translation>
         </message>
@@ -5419,6 +5723,10 @@
             <translation>Passos inteiros por volta</translation>
         </message>
         <message>
+            <source>Further values</source>
+            <translation>Outros valores</translation>
+        </message>
+        <message>
             <source>F{0} in/min</source>
             <translation>F{0} pol/min</translation>
         </message>
@@ -5433,6 +5741,10 @@
         <message>
             <source>F{0} mm/rev</source>
             <translation>F{0} mm/volta</translation>
+        </message>
+        <message>
+            <source>G-code files</source>
+            <translation>Arquivos de código G</translation>
         </message>
         <message>
             <source>G73 pecks, chips</source>
@@ -5519,6 +5831,10 @@
             <translation>Lado bom</translation>
         </message>
         <message>
+            <source>Grain</source>
+            <translation>Veio</translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation>Avanço por dente máximo</translation>
         </message>
@@ -5539,6 +5855,10 @@
             <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
         </message>
         <message>
+            <source>Group</source>
+            <translation>Grupo</translation>
+        </message>
+        <message>
             <source>Gusset</source>
             <translation>Esquadro de reforço</translation>
         </message>
@@ -5549,6 +5869,10 @@
         <message>
             <source>HDPE plastic</source>
             <translation>plástico PEAD</translation>
+        </message>
+        <message>
+            <source>Half</source>
+            <translation>Metade</translation>
         </message>
         <message>
             <source>Half the width along its second axis</source>
@@ -5875,6 +6199,10 @@
             <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
         </message>
         <message>
+            <source>How many are wanted</source>
+            <translation>Quantas são pedidas</translation>
+        </message>
+        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation>Em quantos cantos e lugares estreitos a ferramenta não entra</translation>
         </message>
@@ -5901,6 +6229,10 @@
         <message>
             <source>How many joints on each outline</source>
             <translation>Quantas pontes em cada contorno</translation>
+        </message>
+        <message>
+            <source>How many of each are wanted</source>
+            <translation>Quantos de cada um são pedidos</translation>
         </message>
         <message>
             <source>How many parts are cut free</source>
@@ -5957,6 +6289,10 @@
         <message>
             <source>How many; 0: those of the designation</source>
             <translation>Quantas; 0: as da designação</translation>
+        </message>
+        <message>
+            <source>How much of the part is shown</source>
+            <translation>Quanto da peça é mostrado</translation>
         </message>
         <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
@@ -6031,6 +6367,10 @@
             <translation>Pronta</translation>
         </message>
         <message>
+            <source>Import a drawing first</source>
+            <translation>Primeiro importe um desenho</translation>
+        </message>
+        <message>
             <source>Import drawing</source>
             <translation>Importar desenho</translation>
         </message>
@@ -6057,6 +6397,10 @@
         <message>
             <source>In machine coordinates</source>
             <translation>Em coordenadas da máquina</translation>
+        </message>
+        <message>
+            <source>In mm from the top of the stock</source>
+            <translation>Em mm a partir do topo do material bruto</translation>
         </message>
         <message>
             <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
@@ -6167,12 +6511,24 @@
             <translation>Sua designação: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</translation>
         </message>
         <message>
+            <source>Its direction that lies along the grain of the material</source>
+            <translation>A direção da peça que fica ao longo do veio do material</translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
             <translation>Sua linguagem e sua ligação: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation>A máquina dele executa e verifica o programa inteiro</translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation>Seu nome nos arquivos de trabalho</translation>
+        </message>
+        <message>
+            <source>Its name, which is the operation's</source>
+            <translation>O nome dela, que é o da operação</translation>
         </message>
         <message>
             <source>Jaw diameter</source>
@@ -6197,6 +6553,10 @@
         <message>
             <source>Jobs ({0})</source>
             <translation>Trabalhos ({0})</translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
+            <translation>Trabalhos e programas do documento</translation>
         </message>
         <message>
             <source>Jog</source>
@@ -6299,6 +6659,10 @@
             <translation>Depois</translation>
         </message>
         <message>
+            <source>Layer</source>
+            <translation>Camada</translation>
+        </message>
+        <message>
             <source>Lead-in</source>
             <translation>Entrada</translation>
         </message>
@@ -6329,6 +6693,10 @@
         <message>
             <source>Leave</source>
             <translation>Sai</translation>
+        </message>
+        <message>
+            <source>Leave out</source>
+            <translation>Excluir</translation>
         </message>
         <message>
             <source>Leave out of the program</source>
@@ -6463,6 +6831,10 @@
             <translation>Carregar {0}</translation>
         </message>
         <message>
+            <source>Lock</source>
+            <translation>Travar</translation>
+        </message>
+        <message>
             <source>Locking wheel</source>
             <translation>Roda de trava</translation>
         </message>
@@ -6575,6 +6947,10 @@
             <translation>Faz desta posição o zero-peça do eixo.</translation>
         </message>
         <message>
+            <source>Making the job…</source>
+            <translation>Fazendo o trabalho…</translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation>Margem</translation>
         </message>
@@ -6595,6 +6971,10 @@
             <translation>Marcações</translation>
         </message>
         <message>
+            <source>Marks of</source>
+            <translation>Marcas de</translation>
+        </message>
+        <message>
             <source>Material</source>
             <translation>Material</translation>
         </message>
@@ -6605,6 +6985,10 @@
         <message>
             <source>Material that a round tool leaves at the ends of the long axis</source>
             <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
+        </message>
+        <message>
+            <source>Material that stays between two cuts</source>
+            <translation>Material que fica entre dois cortes</translation>
         </message>
         <message>
             <source>Measured</source>
@@ -6661,6 +7045,10 @@
         <message>
             <source>Mirror…</source>
             <translation>Espelhar…</translation>
+        </message>
+        <message>
+            <source>Missing</source>
+            <translation>Faltam</translation>
         </message>
         <message>
             <source>Mist</source>
@@ -6727,6 +7115,14 @@
             <translation>Move a máquina neste sentido.</translation>
         </message>
         <message>
+            <source>Move the marked rule after the one below</source>
+            <translation>Põe a regra marcada depois da de baixo</translation>
+        </message>
+        <message>
+            <source>Move the marked rule before the one above</source>
+            <translation>Põe a regra marcada antes da de cima</translation>
+        </message>
+        <message>
             <source>Moved by</source>
             <translation>Acionado por</translation>
         </message>
@@ -6763,8 +7159,20 @@
             <translation>Arcos estreitos</translation>
         </message>
         <message>
+            <source>Nest</source>
+            <translation>Aninhar</translation>
+        </message>
+        <message>
             <source>Nesting the pieces: {0} %</source>
             <translation>Encaixando as peças: {0} %</translation>
+        </message>
+        <message>
+            <source>Nesting: {0} %</source>
+            <translation>Aninhando: {0} %</translation>
+        </message>
+        <message>
+            <source>Nesting…</source>
+            <translation>Aninhando…</translation>
         </message>
         <message>
             <source>Never farther off than, mm</source>
@@ -6781,6 +7189,10 @@
         <message>
             <source>New program</source>
             <translation>Programa novo</translation>
+        </message>
+        <message>
+            <source>New, with the tools of the job</source>
+            <translation>Novo, com as ferramentas do trabalho</translation>
         </message>
         <message>
             <source>New…</source>
@@ -6817,6 +7229,10 @@
         <message>
             <source>No place is chosen yet.</source>
             <translation>Nenhum lugar foi escolhido ainda.</translation>
+        </message>
+        <message>
+            <source>None</source>
+            <translation>Nenhum</translation>
         </message>
         <message>
             <source>Nose radius</source>
@@ -6899,6 +7315,10 @@
             <translation>De uma chapa de material</translation>
         </message>
         <message>
+            <source>Of each part</source>
+            <translation>De cada peça</translation>
+        </message>
+        <message>
             <source>Of its curves</source>
             <translation>De suas curvas</translation>
         </message>
@@ -6951,12 +7371,24 @@
             <translation>Das chapas</translation>
         </message>
         <message>
+            <source>Of the stock around the drawing, in mm</source>
+            <translation>Do material bruto em volta do desenho, em mm</translation>
+        </message>
+        <message>
+            <source>Of the stock, in mm</source>
+            <translation>Do material bruto, em mm</translation>
+        </message>
+        <message>
             <source>Of the tip below the finished end face</source>
             <translation>Da ponta abaixo da face acabada</translation>
         </message>
         <message>
             <source>Of the tip; 0: that of the insert</source>
             <translation>Da ponta; 0: o da pastilha</translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
+            <translation>Da superfície de trabalho</translation>
         </message>
         <message>
             <source>Of the written program</source>
@@ -6995,6 +7427,10 @@
             <translation>Um furo em cada ponto</translation>
         </message>
         <message>
+            <source>One of the template's tools</source>
+            <translation>Uma das ferramentas do modelo</translation>
+        </message>
+        <message>
             <source>One step back</source>
             <translation>Um passo atrás</translation>
         </message>
@@ -7029,6 +7465,10 @@
         <message>
             <source>Open pulse letters</source>
             <translation>Abrir letras de pulso</translation>
+        </message>
+        <message>
+            <source>Open template</source>
+            <translation>Abrir modelo</translation>
         </message>
         <message>
             <source>Open the 3D view of the document first</source>
@@ -7151,6 +7591,18 @@
             <translation>Peças e placas</translation>
         </message>
         <message>
+            <source>Parts of a larger number are placed first</source>
+            <translation>Peças de número maior são colocadas primeiro</translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation>Peças em todas as chapas</translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation>Peças sem lugar</translation>
+        </message>
+        <message>
             <source>Passes</source>
             <translation>Passes</translation>
         </message>
@@ -7231,8 +7683,28 @@
             <translation>Lugar</translation>
         </message>
         <message>
+            <source>Place all</source>
+            <translation>Colocar tudo</translation>
+        </message>
+        <message>
+            <source>Place all copies that are not locked</source>
+            <translation>Colocar todas as cópias que não estão travadas</translation>
+        </message>
+        <message>
+            <source>Place all parts that are not locked</source>
+            <translation>Colocar todas as peças que não estão travadas</translation>
+        </message>
+        <message>
             <source>Place of the mirror, mm</source>
             <translation>Onde fica o espelho, mm</translation>
+        </message>
+        <message>
+            <source>Placed</source>
+            <translation>Colocadas</translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation>Posições</translation>
         </message>
         <message>
             <source>Places</source>
@@ -7459,6 +7931,10 @@
             <translation>Põe o bloco em torno do que está selecionado, ou dos desenhos das operações</translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation>Quartos de volta</translation>
+        </message>
+        <message>
             <source>Radius</source>
             <translation>Raio</translation>
         </message>
@@ -7619,6 +8095,18 @@
             <translation>Restante</translation>
         </message>
         <message>
+            <source>Remnants</source>
+            <translation>Retalhos</translation>
+        </message>
+        <message>
+            <source>Remnants: {0}</source>
+            <translation>Retalhos: {0}</translation>
+        </message>
+        <message>
+            <source>Remnant…</source>
+            <translation>Retalho…</translation>
+        </message>
+        <message>
             <source>Remove</source>
             <translation>Remover</translation>
         </message>
@@ -7751,6 +8239,14 @@
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Rule</source>
+            <translation>Regra</translation>
+        </message>
+        <message>
+            <source>Rule {0}</source>
+            <translation>Regra {0}</translation>
+        </message>
+        <message>
             <source>Rules</source>
             <translation>Regras</translation>
         </message>
@@ -7785,6 +8281,14 @@
         <message>
             <source>Save program as…</source>
             <translation>Salvar programa como…</translation>
+        </message>
+        <message>
+            <source>Save template</source>
+            <translation>Salvar modelo</translation>
+        </message>
+        <message>
+            <source>Save these rules as a template of the shop</source>
+            <translation>Salva estas regras como um modelo da oficina</translation>
         </message>
         <message>
             <source>Saved {0}</source>
@@ -7957,6 +8461,10 @@
         <message>
             <source>Sheets of the stack</source>
             <translation>Chapas da pilha</translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
+            <translation>Chapas que têm peças</translation>
         </message>
         <message>
             <source>Shield</source>
@@ -8307,6 +8815,10 @@
             <translation>Contraponto</translation>
         </message>
         <message>
+            <source>Take away</source>
+            <translation>Retirar</translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation>Incluir no programa</translation>
         </message>
@@ -8323,12 +8835,24 @@
             <translation>Voltar ao valor da tabela</translation>
         </message>
         <message>
+            <source>Take the chosen part from its sheet</source>
+            <translation>Retirar a peça escolhida da sua chapa</translation>
+        </message>
+        <message>
             <source>Take the dial's reading from both sides first.</source>
             <translation>Faça primeiro a leitura do relógio dos dois lados.</translation>
         </message>
         <message>
             <source>Take the line numbers out</source>
             <translation>Tirar os números de linha</translation>
+        </message>
+        <message>
+            <source>Take the marked rows out</source>
+            <translation>Tirar as linhas marcadas</translation>
+        </message>
+        <message>
+            <source>Take the marked rows out of the nest</source>
+            <translation>Tirar as linhas marcadas do aninhamento</translation>
         </message>
         <message>
             <source>Take the reading</source>
@@ -8339,6 +8863,10 @@
             <translation>Usa como grampos os sólidos selecionados</translation>
         </message>
         <message>
+            <source>Take the template of a file</source>
+            <translation>Usa o modelo de um arquivo</translation>
+        </message>
+        <message>
             <source>Taken out, drawn twice</source>
             <translation>Retirado, desenhado duas vezes</translation>
         </message>
@@ -8347,12 +8875,32 @@
             <translation>Retirado, minúsculo</translation>
         </message>
         <message>
+            <source>Takes</source>
+            <translation>Pega</translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation>Conicidade</translation>
         </message>
         <message>
             <source>Teeth</source>
             <translation>Dentes</translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation>Modelo</translation>
+        </message>
+        <message>
+            <source>Template: {0}</source>
+            <translation>Modelo: {0}</translation>
+        </message>
+        <message>
+            <source>Templates ({0})</source>
+            <translation>Modelos ({0})</translation>
+        </message>
+        <message>
+            <source>Template…</source>
+            <translation>Modelo…</translation>
         </message>
         <message>
             <source>Text</source>
@@ -8515,6 +9063,10 @@
             <translation>A direção da aresta dianteira a partir da ponta, de Z+ para X+</translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation>A direção do veio do material</translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation>O documento e o nome do próprio objeto; uma cópia ainda tem os do original</translation>
         </message>
@@ -8573,6 +9125,10 @@
         <message>
             <source>The first line that is not certainly cut</source>
             <translation>A primeira linha que não está certamente cortada</translation>
+        </message>
+        <message>
+            <source>The first rule that takes a contour has it; operations come in this order</source>
+            <translation>A primeira regra que pega um contorno fica com ele; as operações vêm nesta ordem</translation>
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
@@ -8799,6 +9355,10 @@
             <translation>As peças e corpos com os quais os desenhos se movem</translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation>As peças e os valores</translation>
+        </message>
+        <message>
             <source>The path of the last job is read…</source>
             <translation>O caminho do último trabalho está sendo lido…</translation>
         </message>
@@ -8871,6 +9431,10 @@
             <translation>O programa, guardado neste documento</translation>
         </message>
         <message>
+            <source>The programs and their places</source>
+            <translation>Os programas e seus lugares</translation>
+        </message>
+        <message>
             <source>The radius of loops at sharp outside corners</source>
             <translation>O raio dos laços em cantos externos vivos</translation>
         </message>
@@ -8889,6 +9453,14 @@
         <message>
             <source>The retract along the cut is being checked…</source>
             <translation>O caminho ao longo do corte está sendo verificado…</translation>
+        </message>
+        <message>
+            <source>The rotations in which it may lie</source>
+            <translation>As rotações em que pode ficar</translation>
+        </message>
+        <message>
+            <source>The rule with the sheet cut</source>
+            <translation>A regra com o corte de chapa</translation>
         </message>
         <message>
             <source>The section of a beam, about the zero.</source>
@@ -9091,6 +9663,10 @@
             <translation>Ainda não há reinício para enviar.</translation>
         </message>
         <message>
+            <source>There is nothing that fits</source>
+            <translation>Não há nada que sirva</translation>
+        </message>
+        <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation>Estes perfis têm mudanças não salvas: {0}</translation>
         </message>
@@ -9129,6 +9705,10 @@
         <message>
             <source>Thread</source>
             <translation>Rosquear</translation>
+        </message>
+        <message>
+            <source>Three quarters</source>
+            <translation>Três quartos</translation>
         </message>
         <message>
             <source>Threshold</source>
@@ -9227,6 +9807,10 @@
             <translation>Troca de ferramenta</translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation>Diâmetro da ferramenta</translation>
+        </message>
+        <message>
             <source>Tool length</source>
             <translation>Comprimento da ferramenta</translation>
         </message>
@@ -9307,6 +9891,14 @@
             <translation>Experimentar sem máquina</translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation>Girar</translation>
+        </message>
+        <message>
+            <source>Turn the chosen part to its next rotation</source>
+            <translation>Girar a peça escolhida para a próxima rotação</translation>
+        </message>
+        <message>
             <source>Turning</source>
             <translation>Torneamento</translation>
         </message>
@@ -9371,12 +9963,24 @@
             <translation>Inalcançável</translation>
         </message>
         <message>
+            <source>Use a drawing of a rest of a sheet first</source>
+            <translation>Usar primeiro o desenho de um retalho de chapa</translation>
+        </message>
+        <message>
             <source>Use the tool of the job</source>
             <translation>Usar a ferramenta do trabalho</translation>
         </message>
         <message>
+            <source>Use whole sheets only</source>
+            <translation>Usar só chapas inteiras</translation>
+        </message>
+        <message>
             <source>V-bit</source>
             <translation>fresa em V</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Valores</translation>
         </message>
         <message>
             <source>Virtual grbl (no machine)</source>
@@ -9411,6 +10015,10 @@
             <translation>Jato de água</translation>
         </message>
         <message>
+            <source>What becomes of the contours</source>
+            <translation>O que se faz com os contornos</translation>
+        </message>
+        <message>
             <source>What becomes one object</source>
             <translation>O que vira um objeto</translation>
         </message>
@@ -9419,8 +10027,8 @@
             <translation>O que é cortado em chapas</translation>
         </message>
         <message>
-            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
-            <translation>O que é um passo: uma linha do programa, um movimento ou um pulso dos motores</translation>
+            <source>What is one step, on or back</source>
+            <translation>O que é um passo, adiante ou para trás</translation>
         </message>
         <message>
             <source>What is written; several lines are set below each other</source>
@@ -9463,6 +10071,10 @@
             <translation>O que foi lido</translation>
         </message>
         <message>
+            <source>Where along the axis the diameter is read; a click on the part sets it</source>
+            <translation>Onde, ao longo do eixo, o diâmetro é lido; um clique na peça o define</translation>
+        </message>
+        <message>
             <source>Where it begins; 0: that of the profile or the usual fit</source>
             <translation>Onde começa; 0: o do perfil ou do ajuste usual</translation>
         </message>
@@ -9473,6 +10085,10 @@
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
+        </message>
+        <message>
+            <source>Where the copies lie</source>
+            <translation>Onde estão as cópias</translation>
         </message>
         <message>
             <source>Where the drawings are written; empty: beside the document</source>
@@ -9489,6 +10105,14 @@
         <message>
             <source>Where the line ends</source>
             <translation>Onde a linha termina</translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation>Onde estão as peças</translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
+            <translation>Onde o programa é gravado; vazio: ao lado do documento</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -9535,6 +10159,14 @@
             <translation>Se os cantos internos são abertos para que um canto vivo caiba</translation>
         </message>
         <message>
+            <source>Whether it takes closed contours</source>
+            <translation>Se pega contornos fechados</translation>
+        </message>
+        <message>
+            <source>Whether it takes contours that the file fills</source>
+            <translation>Se pega contornos que o arquivo preenche</translation>
+        </message>
+        <message>
             <source>Whether it works in a bore</source>
             <translation>Se trabalha dentro de um furo</translation>
         </message>
@@ -9569,6 +10201,10 @@
         <message>
             <source>While pressed</source>
             <translation>Enquanto pressionado</translation>
+        </message>
+        <message>
+            <source>Whole part</source>
+            <translation>Peça inteira</translation>
         </message>
         <message>
             <source>Why it cannot be made; empty when it can</source>
@@ -9647,8 +10283,20 @@
             <translation>Calcular o ângulo</translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation>Superfície de trabalho</translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation>Zero-peça</translation>
+        </message>
+        <message>
+            <source>Write program</source>
+            <translation>Gravar programa</translation>
+        </message>
+        <message>
+            <source>Write the one checked program of all copies</source>
+            <translation>Gravar o programa único e verificado de todas as cópias</translation>
         </message>
         <message>
             <source>Writes the text into a file</source>
@@ -9831,6 +10479,10 @@
             <translation>ângulo em torno de Z</translation>
         </message>
         <message>
+            <source>any</source>
+            <translation>qualquer</translation>
+        </message>
+        <message>
             <source>ap, recalculated to whole passes</source>
             <translation>ap, recalculada para passes inteiros</translation>
         </message>
@@ -9951,6 +10603,10 @@
             <translation>mandrilar</translation>
         </message>
         <message>
+            <source>both</source>
+            <translation>ambos</translation>
+        </message>
+        <message>
             <source>bounded engagement</source>
             <translation>engajamento limitado</translation>
         </message>
@@ -10025,6 +10681,10 @@
         <message>
             <source>choose</source>
             <translation>escolha</translation>
+        </message>
+        <message>
+            <source>click on the part, or type a Z</source>
+            <translation>clique na peça ou digite um Z</translation>
         </message>
         <message>
             <source>climb</source>
@@ -10287,6 +10947,10 @@
             <translation>jato (água, plasma, laser)</translation>
         </message>
         <message>
+            <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
+            <translation>camada '{0}' {1}: {2} fechados, {3} abertos, {4} mm</translation>
+        </message>
+        <message>
             <source>leads the program elsewhere</source>
             <translation>leva o programa a outro lugar</translation>
         </message>
@@ -10297,6 +10961,10 @@
         <message>
             <source>left</source>
             <translation>esquerda</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>omitidas</translation>
         </message>
         <message>
             <source>lengths are inches</source>
@@ -10327,12 +10995,20 @@
             <translation>linhas em um só sentido</translation>
         </message>
         <message>
+            <source>locked</source>
+            <translation>travada</translation>
+        </message>
+        <message>
             <source>low</source>
             <translation>baixo</translation>
         </message>
         <message>
             <source>make room in the folder for temporary files</source>
             <translation>libere espaço na pasta de arquivos temporários</translation>
+        </message>
+        <message>
+            <source>marks of a sheet cut</source>
+            <translation>marcas de um corte de chapa</translation>
         </message>
         <message>
             <source>middle</source>
@@ -10399,12 +11075,24 @@
             <translation>fio de níquel-cromo, 0,4 mm</translation>
         </message>
         <message>
+            <source>no</source>
+            <translation>não</translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation>sem compensação da ferramenta</translation>
         </message>
         <message>
             <source>no errors</source>
             <translation>nenhum erro</translation>
+        </message>
+        <message>
+            <source>no material there</source>
+            <translation>não há material ali</translation>
+        </message>
+        <message>
+            <source>no rule</source>
+            <translation>nenhuma regra</translation>
         </message>
         <message>
             <source>no switch</source>
@@ -10421,6 +11109,10 @@
         <message>
             <source>none yet</source>
             <translation>nenhum ainda</translation>
+        </message>
+        <message>
+            <source>not cut</source>
+            <translation>sem corte</translation>
         </message>
         <message>
             <source>not given</source>
@@ -10655,6 +11347,10 @@
             <translation>rápido: reto, tão rápido quanto a máquina pode</translation>
         </message>
         <message>
+            <source>raw surface</source>
+            <translation>superfície bruta</translation>
+        </message>
+        <message>
             <source>rear</source>
             <translation>fundo</translation>
         </message>
@@ -10807,6 +11503,10 @@
             <translation>a que acompanha o programa</translation>
         </message>
         <message>
+            <source>the only one</source>
+            <translation>a única</translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation>a ponta</translation>
         </message>
@@ -10833,6 +11533,10 @@
         <message>
             <source>threading</source>
             <translation>roscar</translation>
+        </message>
+        <message>
+            <source>through the stock</source>
+            <translation>atravessa o material</translation>
         </message>
         <message>
             <source>time, number or turns, as the code has it</source>
@@ -10915,6 +11619,10 @@
             <translation>escreva os pontos assim: 0 1.2; 300 1.0</translation>
         </message>
         <message>
+            <source>yes</source>
+            <translation>sim</translation>
+        </message>
+        <message>
             <source>yours</source>
             <translation>seu</translation>
         </message>
@@ -10937,6 +11645,10 @@
         <message>
             <source>{0} (edited)</source>
             <translation>{0} (editado)</translation>
+        </message>
+        <message>
+            <source>{0} (example)</source>
+            <translation>{0} (exemplo)</translation>
         </message>
         <message>
             <source>{0} (single lines)</source>
@@ -10999,6 +11711,10 @@
             <translation>{0} agora é {1}: salve.</translation>
         </message>
         <message>
+            <source>{0} job</source>
+            <translation>trabalho {0}</translation>
+        </message>
+        <message>
             <source>{0} lines change:</source>
             <translation>{0} linhas mudam:</translation>
         </message>
@@ -11029,6 +11745,10 @@
         <message>
             <source>{0} on layer '{1}' was left out: {2}</source>
             <translation>{0} na camada '{1}' foi deixado de fora: {2}</translation>
+        </message>
+        <message>
+            <source>{0} parts on {1} sheets, {2} missing; the sheets are used to {3} %</source>
+            <translation>{0} peças em {1} chapas, faltam {2}; aproveitamento das chapas: {3} %</translation>
         </message>
         <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
@@ -11103,12 +11823,20 @@
             <translation>{0}:</translation>
         </message>
         <message>
+            <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation>{0}: X {1}, Y {2}, {3}°</translation>
+        </message>
+        <message>
             <source>{0}: its file has changed; Reload in the tree takes it anew</source>
             <translation>{0}: seu arquivo mudou; Recarregar na árvore o lê de novo</translation>
         </message>
         <message>
             <source>{0}: its file is not there any more; what was read stays</source>
             <translation>{0}: seu arquivo não está mais lá; o que foi lido fica</translation>
+        </message>
+        <message>
+            <source>{0}: its operations are replaced</source>
+            <translation>{0}: as operações dele são trocadas</translation>
         </message>
         <message>
             <source>{0}: {1}</source>
@@ -11129,6 +11857,14 @@
         <message>
             <source>… and {0} more lines</source>
             <translation>… e mais {0} linhas</translation>
+        </message>
+        <message>
+            <source>⌀ {0}</source>
+            <translation>⌀ {0}</translation>
+        </message>
+        <message>
+            <source>⌀ {0}, bore ⌀ {1}</source>
+            <translation>⌀ {0}, furo ⌀ {1}</translation>
         </message>
     </context>
     <context>
@@ -11156,6 +11892,10 @@
         <message>
             <source>'cncstepper drawing' prints its layers and colours</source>
             <translation>'cncstepper drawing' mostra as camadas e cores dele</translation>
+        </message>
+        <message>
+            <source>'{0}' is no number</source>
+            <translation>'{0}' não é um número</translation>
         </message>
         <message>
             <source>'{axes}' names no axes</source>
@@ -11232,6 +11972,10 @@
         <message>
             <source>'{line}' is no row of a profile</source>
             <translation>'{line}' não é uma linha de um perfil</translation>
+        </message>
+        <message>
+            <source>'{name}' holds no lines</source>
+            <translation>'{name}' não tem linhas</translation>
         </message>
         <message>
             <source>'{name}' is no name for a machine profile</source>
@@ -12706,6 +13450,10 @@
             <translation>uma peça de outra operação</translation>
         </message>
         <message>
+            <source>a part or a value has changed since the parts were nested</source>
+            <translation>uma peça ou um valor mudou desde que as peças foram aninhadas</translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation>um caminho não tem comprimento ou tem uma coordenada que não é um comprimento em mm</translation>
         </message>
@@ -12796,6 +13544,10 @@
         <message>
             <source>a program on the controller stopped at an error</source>
             <translation>um programa no controlador parou em um erro</translation>
+        </message>
+        <message>
+            <source>a program or a value has changed since they were arranged</source>
+            <translation>um programa ou um valor mudou desde que foram dispostos</translation>
         </message>
         <message>
             <source>a program that goes to machine positions cannot be placed beside others</source>
@@ -13154,6 +13906,10 @@
             <translation>acrescente pontos de controle</translation>
         </message>
         <message>
+            <source>add jobs, programs or files</source>
+            <translation>adicione trabalhos, programas ou arquivos</translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation>acrescente uma antes do primeiro corte</translation>
         </message>
@@ -13352,6 +14108,10 @@
         <message>
             <source>arcs outside the plane XY</source>
             <translation>arcos fora do plano XY</translation>
+        </message>
+        <message>
+            <source>arrange them again</source>
+            <translation>disponha-os de novo</translation>
         </message>
         <message>
             <source>ask for at most {fewer}</source>
@@ -13942,6 +14702,10 @@
             <translation>escolha outro nome</translation>
         </message>
         <message>
+            <source>choose another one</source>
+            <translation>escolha outro</translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation>escolha outro processo no trabalho, ou apague a operação</translation>
         </message>
@@ -13980,6 +14744,10 @@
         <message>
             <source>choose other values, or try again</source>
             <translation>escolha outros valores, ou tente de novo</translation>
+        </message>
+        <message>
+            <source>choose the job whose machine runs it</source>
+            <translation>escolha o trabalho cuja máquina o executa</translation>
         </message>
         <message>
             <source>choose the job's material</source>
@@ -15626,6 +16394,10 @@
             <translation>foi comprimido ou cifrado novamente</translation>
         </message>
         <message>
+            <source>it was not placed</source>
+            <translation>não foi colocada</translation>
+        </message>
+        <message>
             <source>it would erase the settings: write the settings that you want to change one by one</source>
             <translation>ele esqueceria as configurações: escreva uma a uma as que devem mudar</translation>
         </message>
@@ -16662,6 +17434,10 @@
             <translation>parâmetros com nome não fazem parte deste dialeto</translation>
         </message>
         <message>
+            <source>nest them again</source>
+            <translation>aninhe-as de novo</translation>
+        </message>
+        <message>
             <source>nested too deeply</source>
             <translation>aninhado fundo demais</translation>
         </message>
@@ -16796,6 +17572,10 @@
         <message>
             <source>no parallel curve that far inside</source>
             <translation>não há curva paralela tão para dentro</translation>
+        </message>
+        <message>
+            <source>no part is chosen</source>
+            <translation>nenhuma peça está escolhida</translation>
         </message>
         <message>
             <source>no pass is narrower than a micron or wider than 10 m</source>
@@ -17386,6 +18166,10 @@
             <translation>local desconhecido</translation>
         </message>
         <message>
+            <source>place the copies elsewhere</source>
+            <translation>coloque as cópias em outro lugar</translation>
+        </message>
+        <message>
             <source>place them farther apart, or --allow-overlap</source>
             <translation>afaste-os mais ou use --allow-overlap</translation>
         </message>
@@ -17436,6 +18220,10 @@
         <message>
             <source>prepare this program's own</source>
             <translation>prepare as linhas deste próprio programa</translation>
+        </message>
+        <message>
+            <source>press on one in the 3D view</source>
+            <translation>clique em uma na vista 3D</translation>
         </message>
         <message>
             <source>press the machine's own switch, or let it run to its end</source>
@@ -17880,6 +18668,10 @@
         <message>
             <source>select a sketch, wires, faces or edges</source>
             <translation>selecione um esboço, arames, faces ou arestas</translation>
+        </message>
+        <message>
+            <source>select drawings or sketches and add them</source>
+            <translation>selecione desenhos ou esboços e adicione-os</translation>
         </message>
         <message>
             <source>select the plane with G17, G18, G19</source>
@@ -18390,6 +19182,10 @@
             <translation>retire-o do nome</translation>
         </message>
         <message>
+            <source>take it out of the parts</source>
+            <translation>tire-o das peças</translation>
+        </message>
+        <message>
             <source>take it out of the program</source>
             <translation>retire-o do programa</translation>
         </message>
@@ -18608,6 +19404,10 @@
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
             <translation>o programa disposto tem {count} cortes, e não {wanted}</translation>
+        </message>
+        <message>
+            <source>the arrangement has no job</source>
+            <translation>a disposição não tem trabalho</translation>
         </message>
         <message>
             <source>the auxiliary port does not exist or is in use</source>
@@ -19572,6 +20372,10 @@
         <message>
             <source>the front edge of the insert does not reach the profile</source>
             <translation>a aresta da frente da pastilha não alcança o perfil</translation>
+        </message>
+        <message>
+            <source>the further values cannot be read: {error}</source>
+            <translation>não é possível ler os outros valores: {error}</translation>
         </message>
         <message>
             <source>the grid has too many holes</source>
@@ -21402,6 +22206,10 @@
             <translation>não há pacotes na pasta ou no zip</translation>
         </message>
         <message>
+            <source>there are no parts</source>
+            <translation>não há peças</translation>
+        </message>
+        <message>
             <source>there are no relays</source>
             <translation>não há relés</translation>
         </message>
@@ -21448,6 +22256,14 @@
         <message>
             <source>there is no dialect '{base}'</source>
             <translation>não há dialeto '{base}'</translation>
+        </message>
+        <message>
+            <source>there is no drawing '{name}'</source>
+            <translation>não há desenho '{name}'</translation>
+        </message>
+        <message>
+            <source>there is no file for the program</source>
+            <translation>não há arquivo para o programa</translation>
         </message>
         <message>
             <source>there is no folder for the drawings</source>
@@ -22706,6 +23522,10 @@
             <translation>escreva antes uma linha G0</translation>
         </message>
         <message>
+            <source>write a line for each: stepdown_mm = 2</source>
+            <translation>escreva uma linha para cada: stepdown_mm = 2</translation>
+        </message>
+        <message>
             <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
             <translation>escreva uma linha como: T3 P3 D6.0 Z+41.5 ;6 mm end mill</translation>
         </message>
@@ -23200,6 +24020,10 @@
         <message>
             <source>{count} lines have markers, which are not read</source>
             <translation>{count} linhas têm marcadores, que não são lidos</translation>
+        </message>
+        <message>
+            <source>{count} of {name}: {why}</source>
+            <translation>{count} de {name}: {why}</translation>
         </message>
         <message>
             <source>{count} paths are damaged and read up to the damage</source>
@@ -24127,6 +24951,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Arrangement</name>
+        <message>
+            <source>Arrange programs…</source>
+            <translation>Dispor programas…</translation>
+        </message>
+        <message>
+            <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation>Coloca programas na superfície de trabalho com o mouse e faz deles um só programa</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Bore</name>
         <message>
             <source>Bore</source>
@@ -24347,6 +25182,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Nest</name>
+        <message>
+            <source>Nest on sheets…</source>
+            <translation>Aninhar em chapas…</translation>
+        </message>
+        <message>
+            <source>Places the selected drawings on sheets of material, as often as they are wanted</source>
+            <translation>Coloca os desenhos selecionados em chapas de material, quantas vezes forem pedidos</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_NewJob</name>
         <message>
             <source>Makes a job. A selected solid or drawing gives its stock</source>
@@ -24454,6 +25300,17 @@
         <message>
             <source>Slice a solid…</source>
             <translation>Fatiar um sólido…</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Template</name>
+        <message>
+            <source>Makes a job of an imported drawing by rules: layer, colour or name to operation</source>
+            <translation>Faz um trabalho de um desenho importado por regras: de camada, cor ou nome para operação</translation>
+        </message>
+        <message>
+            <source>Template…</source>
+            <translation>Modelo…</translation>
         </message>
     </context>
     <context>

@@ -22,9 +22,11 @@ LABELS = {
     "CNCStepper_NewJob": "New job",
     "CNCStepper_ImportTools": "Import tools…",
     "CNCStepper_ImportDrawing": "Import drawing…",
+    "CNCStepper_Template": "Template…",
     "CNCStepper_Text": "Text",
     "CNCStepper_Shapes": "Shapes…",
     "CNCStepper_Slices": "Slice a solid…",
+    "CNCStepper_Nest": "Nest on sheets…",
     "CNCStepper_Freehand": "Freehand",
     "CNCStepper_Face": "Face",
     "CNCStepper_Pocket": "Pocket",
@@ -40,6 +42,7 @@ LABELS = {
     "CNCStepper_WireCut": "Wire cut",
     "CNCStepper_EditProgram": "Edit program",
     "CNCStepper_OpenProgram": "Open G-code file…",
+    "CNCStepper_Arrangement": "Arrange programs…",
     "CNCStepper_Simulate": "Check and simulate",
     "CNCStepper_Send": "Send",
     "CNCStepper_Controller": "Controller",
@@ -50,13 +53,16 @@ LABELS = {
     NEW_JOB,
     IMPORT,
     DRAWING,
+    TEMPLATE,
     TEXT,
     SHAPES,
     SLICES,
+    NEST,
     FREEHAND,
     *OPERATIONS,
     EDIT,
     OPEN,
+    ARRANGE,
     SIMULATE,
     SEND,
     CONTROLLER,
@@ -64,10 +70,10 @@ LABELS = {
     LETTERS,
 ) = LABELS
 ALWAYS = (DRAWING, TEXT, SHAPES)  # what needs neither a document nor a job
-IN_DOCUMENT = (SLICES, FREEHAND)  # what needs a document alone
+IN_DOCUMENT = (SLICES, NEST, FREEHAND)  # what needs a document alone
 DRAWN = ("CNCStepper_Pocket", "CNCStepper_Contour", "CNCStepper_Engrave")  # cannot be without a drawing
 OF_SHEETS = ("CNCStepper_SheetCut", "CNCStepper_WireCut")  # not of milling, which these jobs are cut by
-MILLED = [name for name in LABELS if name not in OF_SHEETS]
+MILLED = [name for name in LABELS if name not in (*OF_SHEETS, TEMPLATE)]
 BY_NUMBERS = [name for name in OPERATIONS if name not in (*DRAWN, *OF_SHEETS)]
 POCKET, ENGRAVE = "CNCStepper_EllipticalPocket", "CNCStepper_Engrave"
 
@@ -144,7 +150,7 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
 
 def test_without_a_document(hand: Hand) -> None:
     expect_enabled(hand, NEW_JOB, *ALWAYS, OPEN, CONTROLLER, MACHINES, LETTERS)
-    assert {reason(hand, name) for name in IN_DOCUMENT} == {"Open or make a document first"}
+    assert {reason(hand, name) for name in (*IN_DOCUMENT, TEMPLATE)} == {"Open or make a document first"}
     assert {reason(hand, name) for name in (IMPORT, *OPERATIONS, EDIT, SIMULATE, SEND)} == {
         "Make a job first, with New job"
     }
@@ -173,11 +179,14 @@ def test_the_tooltip_is_seen_on_the_disabled_button(hand: Hand) -> None:
 def test_an_empty_document_can_be_drawn_in(hand: Hand) -> None:
     hand.main(new_document)
     expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LETTERS)
+    assert reason(hand, TEMPLATE) == "Import a drawing first"
 
 
 def test_a_job_without_operations(hand: Hand) -> None:
     hand.main(lambda: api.new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(
+        hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, ARRANGE, CONTROLLER, MACHINES, LETTERS
+    )
     assert reason(hand, SEND) == "Job has nothing to cut: add an operation"
     assert {reason(hand, name).partition(":")[0] for name in DRAWN} == {
         "Select the area to clear", "Select the lines to cut", "Select the lines to engrave",
@@ -195,6 +204,7 @@ def test_a_job_with_a_program(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
@@ -222,6 +232,7 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
@@ -259,6 +270,7 @@ def test_one_task_panel_at_a_time(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,

@@ -28,18 +28,53 @@ class ImportDrawing(Command):
 
     def run(self) -> None:
         """Ask for the file, and open the panel of what is read from it."""
+        from CNCStepper.workbench.calculation.preloading import DRAWINGS, begin_to_load
         from CNCStepper.workbench.document.drawing_files import ask_file
 
+        begin_to_load(DRAWINGS)
         document = targets.document()
         folder = Path(document.FileName).parent if document is not None and document.FileName else Path.home()
         ask_file(str(folder), self.take)
 
     def take(self, path: str) -> None:
         """Make the group of a file and open its panel, which reads it."""
+        from CNCStepper.workbench.calculation.preloading import DRAWINGS, when_loaded
+
+        when_loaded(DRAWINGS, lambda: self._create(path))
+
+    def _create(self, path: str) -> None:
         import FreeCAD
 
-        document = targets.document() or FreeCAD.newDocument()
-        create(document, self.text(), lambda: _group(document, path))
+        if not targets.why_no_panel():
+            document = targets.document() or FreeCAD.newDocument()
+            create(document, self.text(), lambda: _group(document, path))
+
+
+class Template(Command):
+    """Makes a job of an imported drawing by the rules of a template."""
+
+    name = "CNCStepper_Template"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Template", "Template…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Template", "Makes a job of an imported drawing by rules: layer, colour or name to operation"
+    )
+
+    def why_not(self) -> str:
+        """Return why there is no drawing to make a job of."""
+        no_panel = missing_packages.why_not() or targets.why_no_view() or targets.why_no_panel()
+        return no_panel or ("" if targets.imported_drawing() is not None else tr("Import a drawing first"))
+
+    def run(self) -> None:
+        """Open the panel of the selected drawing, or of the document's last one."""
+        from CNCStepper.workbench.calculation.preloading import TEMPLATES, when_loaded
+
+        when_loaded(TEMPLATES, self._open)
+
+    def _open(self) -> None:
+        from CNCStepper.workbench.templates.panel import open_template_panel
+
+        if not self.why_not():
+            open_template_panel(targets.imported_drawing())
 
 
 def _group(document: Any, path: str) -> Any:
@@ -73,6 +108,33 @@ def _slices(document: Any, objects: list[Any]) -> Any:
     from CNCStepper.workbench.features.drawings.slices import last_solid
 
     return labelled(api.add_slices(document, last_solid(objects)), tr("Slices"))
+
+
+class Nest(Command):
+    """Places drawings and outlines on sheets of material."""
+
+    name = "CNCStepper_Nest"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Nest", "Nest on sheets…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Nest", "Places the selected drawings on sheets of material, as often as they are wanted"
+    )
+
+    def why_not(self) -> str:
+        """Return why nothing can be nested."""
+        return missing_packages.why_not() or targets.why_no_view() or targets.why_no_panel()
+
+    def run(self) -> None:
+        """Make the nest of what is selected, and open its panel."""
+        document = targets.document()
+        create(document, self.text(), lambda: _nest(document, targets.selected()))
+
+
+def _nest(document: Any, objects: list[Any]) -> Any:
+    """Return a nest of those of some objects that have outlines."""
+    from CNCStepper.workbench import api
+    from CNCStepper.workbench.features.drawings.nest import is_part
+
+    return labelled(api.add_nest(document, [each for each in objects if is_part(each)]), tr("Nest"))
 
 
 class Text(Command):
