@@ -25,6 +25,7 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.tolerances import SAME_MM
 
 CLEAR_MM = 0.3  # of rapids over a level that is cut
+RETRACT_DEG = 45.0  # of the roughing cycles of controllers
 Interval = tuple[float, float]  # lengths along the path, of an end to the right and one to the left
 
 
@@ -69,6 +70,7 @@ class RoughedProfile:
         self._require_front()
         levels = self.heights()
         self.moves.approach_front(self.front_mm, self.safe_mm)
+        self.moves.open_cycle("G71", self._words(self.safe_mm - float(self.path.points(0.01)[:, 1].min())))
         if len(levels) > 1:
             self._cut_below((0.0, self.path.length_mm), 1, levels)
         self._contour(self.path)
@@ -140,16 +142,24 @@ class RoughedProfile:
         """Follow the path once, from before the stock."""
         self._require_front()
         self.moves.approach_front(self.front_mm, self.safe_mm)
+        self.moves.open_cycle("G70", {})
         self._contour(self.path)
 
+    def _words(self, deep_mm: float) -> dict[str, float]:
+        """Return the words of a roughing cycle whose levels begin where the tool is: depth of cut and retract."""
+        return {"I": deep_mm / max(math.ceil(deep_mm / self.ap_mm - SAME_MM), 1), "R": min(CLEAR_MM, self.ap_mm)}
+
     def _contour(self, path: Curve) -> None:
-        """Follow the path from the front, and leave beside the stock."""
+        """Follow the path from the front, end the cycle, and leave beside the stock."""
         moves, (z, r) = self.moves, path.xy[0].tolist()
         self._leave(self.safe_mm)
         moves.rapid(self.front_mm, self.safe_mm)
+        moves.open_profile()
         moves.rapid(self.front_mm, r)
         moves.feed(z, r)
         moves.follow(path)
+        moves.close_cycle()
+        moves.close_cycle()
         self._out()
 
     def _out(self) -> None:
@@ -168,6 +178,7 @@ class RoughedProfile:
         step_mm = (first - last) / count
         moves = self.moves
         moves.approach_front(self.front_mm, self.safe_mm)
+        moves.open_cycle("G72" if self._is_g72() else "", self._words(self.front_mm - last))
         for number in range(1, count):
             z = first - number * step_mm
             bottom = self._height_at(z)
@@ -177,6 +188,12 @@ class RoughedProfile:
                 moves.feed(z, self.safe_mm)  # along the wall that it has just cut
         self._contour(self.path)
         return {"passes": float(count), "ap_mm": round(step_mm, 6)}
+
+    def _is_g72(self) -> bool:
+        """Whether G72 can cut it: a path that only rises, and edges between which its retract at 45 degrees lies."""
+        rises = bool((np.diff(self.path.points(0.01)[:, 1]) >= -SAME_MM).all())
+        front, back = (angle * self.moves.side for angle in self.setup.tool.edges_deg)
+        return rises and (self.setup.tool.is_round or back <= RETRACT_DEG <= front)
 
     def _height_at(self, z_mm: float) -> float:
         """Return the least height of the centre at a place z: above the whole path there; far below before it."""

@@ -74,8 +74,12 @@ class TurningMoves:
         """Begin the span of a cycle."""
         self._table.open_span("turning_cycle", name, **words)
 
+    def open_profile(self) -> None:
+        """Begin the span of a cycle's profile within that of the cycle."""
+        self._table.open_span("turned_profile", "")
+
     def close_cycle(self) -> None:
-        """End it."""
+        """End the innermost of these spans."""
         self._table.close_span()
 
     def dwell(self, seconds: float) -> None:
