@@ -9,16 +9,20 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BaseModel, ConfigDict, model_validator
+from pydantic import BaseModel, ConfigDict, StrictBool, model_validator
 
 from CNCStepper.errors import JobError, Text
 from CNCStepper.quantities import Bounds, ChipLoadOr0, Coordinate, SpeedOr0, TimeOr0, ToolReference, Width, WidthOr0
 
+FIXED_SPEED = ("turn_drill", "turn_thread")  # cycles on the axis, or in step with the spindle
 SurfaceSpeedOr0 = Annotated[float, Bounds("surface_speed", zero=True)]
 
 
 class TurningOperation(BaseModel):
-    """Of every cycle: feeds and speeds, 0 takes those of the tool; clearance_mm: before material a rapid ends."""
+    """Of every cycle: feeds and speeds, 0 takes those of the tool; clearance_mm: before material a rapid ends.
+
+    constant_surface_speed: the spindle follows X (G96) so that the surface speed stays, up to max_rpm.
+    """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -28,7 +32,17 @@ class TurningOperation(BaseModel):
     spindle_rpm: SpeedOr0 = 0.0
     surface_speed_m_min: SurfaceSpeedOr0 = 0.0
     max_rpm: SpeedOr0 = 0.0
+    constant_surface_speed: StrictBool = False
     clearance_mm: Width = 1.0
+
+    @model_validator(mode="after")
+    def _speed_follows_x(self) -> TurningOperation:
+        if self.constant_surface_speed and self.spindle_rpm:
+            raise ValueError("constant_surface_speed takes surface_speed_m_min and max_rpm: take spindle_rpm out")
+        if self.constant_surface_speed and self.cycle in FIXED_SPEED:
+            what = "{cycle} needs a fixed speed of the spindle: take constant_surface_speed out"
+            raise ValueError(Text(what, cycle=self.cycle))
+        return self
 
 
 class TurnFace(TurningOperation):

@@ -4,10 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from math import pi
 
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.turning_tool import TurningTool
+
+
+SMALLEST_MM = 1e-6  # of a radius
 
 
 @dataclass(frozen=True)
@@ -15,7 +19,8 @@ class TurningSetup:
     """The tool, the stock and the speeds of one operation; lengths in mm in the part's coordinates.
 
     radius_mm, face_mm: of the raw bar and its end. bore_mm: diameter of what is hollow already, 0 for none. start: z
-    and radius at which the tool stands before and after the operation. feed_mm_rev, rpm: of the operation. machine:
+    and radius at which the tool stands before and after the operation. feed_mm_rev, rpm: of the operation. surface_m_min: that the
+    spindle keeps, up to largest_rpm; 0 where rpm is fixed. machine:
     whose axes must follow the spindle.
     """
 
@@ -26,13 +31,16 @@ class TurningSetup:
     start: tuple[float, float]
     feed_mm_rev: float
     rpm: float
+    surface_m_min: float = 0.0
+    largest_rpm: float = 0.0
     profile: Curve | None = None
     machine: Machine | None = None
 
-    @property
-    def feed_mm_min(self) -> float:
-        """The feed at the spindle's speed."""
-        return self.feed_mm_rev * self.rpm
+    def rpm_at(self, r_mm: float) -> float:
+        """Return the spindle's speed at a radius of the control point."""
+        if not self.surface_m_min:
+            return self.rpm
+        return min(self.surface_m_min * 1000.0 / (2.0 * pi * max(abs(r_mm), SMALLEST_MM)), self.largest_rpm)
 
 
 @dataclass(frozen=True)

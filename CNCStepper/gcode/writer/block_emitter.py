@@ -332,7 +332,8 @@ class BlockEmitter:
     def use_turn_feed(self, rpm: float) -> None:
         """Write the feeds to come in mm a turn at a speed, or in mm a minute where it is 0."""
         if rpm != self.turn_rpm:
-            self.turn_rpm, self._feed = rpm, ""
+            self._feed = self._feed if rpm and self.turn_rpm else ""
+            self.turn_rpm = rpm
             self._feeds.clear()
 
     def select_plane(self, plane: int) -> None:

@@ -36,7 +36,7 @@ class ProfileCycleWriter:
 
     def __init__(self, toolpath: Toolpath, page: BlockEmitter, rows: RowWriter, whole: bool):
         self.page, self.rows = page, rows
-        self._table = toolpath.table()
+        self._table, self._states = toolpath.table(), toolpath.states
         takes = whole and page.dialect.o_words
         cycles = [span for span in toolpath.spans if span.kind == "turning_cycle" and span.name in NAMES and takes]
         profiles = [span for span in toolpath.spans if span.kind == "turned_profile"]
@@ -69,6 +69,8 @@ class ProfileCycleWriter:
         words = [f"Q{self._numbers[row]}", *(page.coordinate(axis, begin[axis]) for axis in x_z)]
         words += [f"{letter}{page.grid.short(value)}" for letter, value in span.words.items()]
         feed = float(self._table.feed[span.last - 1])
+        if page.turn_rpm:  # under G96 each row has its own
+            page.use_turn_feed(self._states[int(self._table.state[span.last - 1])].spindle_rpm)
         end = self._end(span.last - 1)
         if span.name != FACING:
             page.profile_cycle(span.name, words, feed, end)
