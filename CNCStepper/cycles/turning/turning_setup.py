@@ -10,7 +10,6 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.turning_tool import TurningTool
 
-
 SMALLEST_MM = 1e-6  # of a radius
 
 
@@ -19,9 +18,8 @@ class TurningSetup:
     """The tool, the stock and the speeds of one operation; lengths in mm in the part's coordinates.
 
     radius_mm, face_mm: of the raw bar and its end. bore_mm: diameter of what is hollow already, 0 for none. start: z
-    and radius at which the tool stands before and after the operation. feed_mm_rev, rpm: of the operation. surface_m_min: that the
-    spindle keeps, up to largest_rpm; 0 where rpm is fixed. machine:
-    whose axes must follow the spindle.
+    and radius at which the tool stands before and after the operation. feed_mm_rev, rpm: of the operation. machine:
+    whose axes must follow the spindle. surface_m_min: that the spindle keeps, up to largest_rpm; 0 where rpm is fixed.
     """
 
     tool: TurningTool
@@ -31,10 +29,10 @@ class TurningSetup:
     start: tuple[float, float]
     feed_mm_rev: float
     rpm: float
-    surface_m_min: float = 0.0
-    largest_rpm: float = 0.0
     profile: Curve | None = None
     machine: Machine | None = None
+    surface_m_min: float = 0.0
+    largest_rpm: float = 0.0
 
     def rpm_at(self, r_mm: float) -> float:
         """Return the spindle's speed at a radius of the control point."""

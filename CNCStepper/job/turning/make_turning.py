@@ -149,7 +149,7 @@ def _setups(job: TurningJob, machine: Machine) -> Iterator[tuple[TurningOperatio
         except CycleError as error:
             raise error.at(Place(f"operation {number} ({operation.cycle.replace('_', ' ')})")) from error
         raw = (job.stock.diameter_mm / 2, job.stock.face_mm, bore_mm)
-        yield operation, TurningSetup(tool, *raw, job.start_zr, feed_mm_rev, rpm, *surface, profile, machine)
+        yield operation, TurningSetup(tool, *raw, job.start_zr, feed_mm_rev, rpm, profile, machine, *surface)
         if isinstance(operation, TurnDrill):
             bore_mm = max(bore_mm, tool.diameter_mm)
 
