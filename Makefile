@@ -6,7 +6,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 # The tests start many a Python: each would compile anew what it loads, some 10 s of `make quick`.
 unexport PYTHONDONTWRITEBYTECODE
-.PHONY: help setup demo test matrix quick soak fuzz bench lint translations pictures clean
+.PHONY: help setup demo test matrix quick soak fuzz bench bench-guard lint translations pictures clean
 
 help:
 	@echo "make demo    draw, cut and check the demonstration part in headless FreeCAD and on the virtual grbl"
@@ -16,6 +16,7 @@ help:
 	@echo "make soak    the random cases of every cycle, 500 each in place of 25, and 5000 sends under faults (hours); RUNS=n takes another number"
 	@echo "make fuzz    100 000 hostile programs for the reader (CASES=n), $(FILES) mutated jobs and profiles, a quarter of it tool files and drawings (FILES=n), then atheris looks for more for FUZZ_S=300 seconds"
 	@echo "make bench   measure speed, beside the programs we compare ourselves with"
+	@echo "make bench-guard   compare these ratios with those recorded last; name what fell by more than 10 %"
 	@echo "make lint    style and types only"
 	@echo "make translations   collect the texts that a person sees, and compile their Portuguese"
 	@echo "make pictures   take the pictures in docs/pictures anew: of every cycle, and of the window"
@@ -78,6 +79,9 @@ fuzz:
 
 bench: setup
 	@for script in bench/bench_*.py; do .venv/bin/python "$$script"; done
+
+bench-guard: setup
+	@.venv/bin/python bench/guard.py
 
 lint:
 	@tools/setup.sh python

@@ -137,8 +137,8 @@ class CNCStepperError(Exception):
     def __reduce__(self) -> tuple[Callable[..., CNCStepperError], tuple[object, ...]]:
         return _error, (type(self), self.code, self.what, self._rest())
 
-    def at(self, place: Place) -> CNCStepperError:
-        """Return the same error, naming `place`."""
+    def at(self, place: Place | None) -> CNCStepperError:
+        """Return the same error, naming `place`, or none."""
         return type(self)(self.code, self.what, **(self._rest() | {"place": place}))
 
     def _rest(self) -> dict[str, Any]:

@@ -99,8 +99,8 @@ def count_events(pulses: PulseStream) -> int:
     return sum(len(chunk.ticks) for chunk in pulses)
 
 
-def stream(name: str, end_mm: np.ndarray, feed_mm_min: float) -> None:
-    """Print how many step events are streamed a second, planning included, beside the closed form."""
+def stream(name: str, end_mm: np.ndarray, feed_mm_min: float) -> float:
+    """Print how many step events are streamed a second, planning included; return how many times the closed form."""
     path = table_of(end_mm, feed_mm_min)
     count, rate = fastest(lambda: count_events(pulse_stream(path, MACHINE)))
     few = table_of(end_mm[: max(1, len(end_mm) // 50)], feed_mm_min)
@@ -110,6 +110,7 @@ def stream(name: str, end_mm: np.ndarray, feed_mm_min: float) -> None:
     assert np.array_equal(moved, np.rint(np.float32(end_mm[-1]) * np.float32(steps_per_mm)).astype(np.int64))
     print(f"steps, {name}: {count} events: {rate / 1e6:.0f} million/s, closed form {closed / 1e6:.1f}, ", end="")
     print(f"ratio {rate / closed:.0f}; {rate / WANTED_EVENTS:.1f} times what is wanted")
+    return rate / closed
 
 
 def queue_s_curves(length_mm: float, each: bool) -> float:
@@ -124,8 +125,8 @@ def queue_s_curves(length_mm: float, each: bool) -> float:
     return time.process_time() - begun
 
 
-def s_curves(length_mm: float) -> None:
-    """Print how long a deep look-ahead of S-curves takes to plan, beside planning it at each of its blocks."""
+def s_curves(length_mm: float) -> float:
+    """Print how long a deep look-ahead of S-curves takes to plan; return how many times as fast as at each block."""
     queue_s_curves(1.0, True)
     taken, naive = (min(queue_s_curves(length_mm, each) for _ in range(2)) for each in (False, True))
     print(
@@ -133,6 +134,7 @@ def s_curves(length_mm: float) -> None:
         end="",
     )
     print(f"planned at each {naive:.2f} s, ratio {naive / taken:.0f}")
+    return naive / taken
 
 
 def lines(count: int) -> Iterator[str]:
@@ -178,14 +180,21 @@ def peak_mb() -> float:
     return int(line.split()[1]) * 1024 / 1e6
 
 
+def guarded() -> dict[str, float]:
+    """Return the ratios that `make bench-guard` compares."""
+    return {
+        "steps, long lines": stream("long lines", across(4000), 3000),
+        "steps, short lines": stream("spiral of short lines", spiral(SHORT // 5), 600),
+        "S-curves, 0.1 mm": s_curves(0.1),
+        "S-curves, 0.02 mm": s_curves(0.02),
+    }
+
+
 def main() -> None:
     """Measure the kernels here, and the files in processes of their own."""
     plan("spiral of short lines", spiral(SHORT), 600)
     plan("short lines in any direction", wandering(SHORT // 5), 1500)
-    stream("long lines", across(4000), 3000)
-    stream("spiral of short lines", spiral(SHORT // 5), 600)
-    s_curves(0.1)
-    s_curves(0.02)
+    guarded()
     with tempfile.TemporaryDirectory() as name:
         for count in (SHORT, LONG):
             file = Path(name) / f"{count}.ngc"

@@ -162,6 +162,7 @@ def cut(port: str, rate: int) -> None:
         speed = one.output.rate_mm_min / 60.0
         one.board.receive(b"!")
         held_s = one.run(lambda: one.board.at_rest)
+        one.turn()  # the board sees that it stands: before that it ignores a cycle start, as grbl does
         one.board.receive(b"~")
         one.run(one.is_done)
         busy = (core_s(one.output.process) - begun_s) / (time.monotonic() - begun)

@@ -132,12 +132,20 @@ def print_engagement(tool: Tool) -> None:
     print(f"engagement: {len(met.row)} places, {tool.shape}: {wall_s:.2f} s, processor {cpu_s:.2f} s")
 
 
-def print_both_sides(points: np.ndarray, tool: Tool) -> None:
-    """Print moves a second of both simulators."""
-    count = len(points) - 1
-    for name, own, their in zip(("wall", "processor"), ours(points, 100, tool)[:2], theirs(points, 100), strict=True):
+def print_both_sides(points: np.ndarray, tool: Tool) -> dict[str, float]:
+    """Print moves a second of both simulators; return how many times as fast ours is by processor time."""
+    count, sides = len(points) - 1, (ours(points, 100, tool)[:2], theirs(points, 100))
+    for name, own, their in zip(("wall", "processor"), *sides, strict=True):
         print(f"removal: {count} short moves, flat 6 mm, {CELL_MM} mm cells, {name} time: ours ", end="")
         print(f"{count / own:,.0f}/s, PathSimulator {count / their:,.0f}/s, ratio {their / own:.1f}", flush=True)
+    return {"removal, short level moves": sides[1][1] / sides[0][1]}
+
+
+def guarded() -> dict[str, float]:
+    """Return the ratios that `make bench-guard` compares."""
+    flat = Tool(number=1, shape="flat", diameter_mm=6)
+    ours(spiral(2000, 40), 40, flat)  # compiles
+    return print_both_sides(spiral(100_000, 100), flat)
 
 
 def main() -> None:
@@ -152,7 +160,7 @@ def main() -> None:
         for points in (spiral(2000, 40), hilly(spiral(2000, 40))):
             ours(points, 40, tool)  # compiles
     if shutil.which("freecadcmd"):
-        print_both_sides(spiral(100_000, 100), tools[0])
+        guarded()
     level = spiral(1_000_000, 300)
     for tool in tools:
         for name, million in (("level", level), ("every move a ramp", hilly(level))):

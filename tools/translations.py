@@ -122,8 +122,9 @@ def declared_texts() -> Iterator[tuple[Text, str]]:
     sys.path.append(str(ROOT))
     from CNCStepper.workbench.features.catalogue import KINDS
     from CNCStepper.workbench.features.drawings.text import Text as TextObject
+    from CNCStepper.workbench.features.turning.turning_operation import TURNING_KINDS
 
-    for kind in (*KINDS, TextObject):
+    for kind in (*KINDS, *TURNING_KINDS, TextObject):
         for entry in kind.PROPERTIES:
             shown = {entry.group, entry.label, entry.text}
             yield from ((Text(context, text), kind.Type) for context in (OURS, PROPERTY) for text in sorted(shown))

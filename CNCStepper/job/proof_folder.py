@@ -12,7 +12,7 @@ send.zip is the program's certificate. Reading an answer takes numpy only, so th
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from CNCStepper.job.prove import Proof
     from CNCStepper.machine.profile import Machine
     from CNCStepper.simulation.removal.heightmap import HeightMap
+    from CNCStepper.toolpath import Toolpath
 
 PROGRAM, JOB, MACHINE, DIALECT = "program.nc", "job.json", "machine.json", "dialect.txt"
 RESULT, MOVES, LINES = "result.json", "moves.npz", "lines.npz"
@@ -60,20 +61,14 @@ class Part:
 
 
 @dataclass(frozen=True)
-class Answer:
-    """What a proof answered: report as in `Proof`, the moves in time and as lines, the part that is left.
-
-    tools: the outlines of cutter and shank by number, as `tool_outline.outlines_mm`. fallen: what it cuts free.
-    """
+class ProgramAnswer:
+    """What every proof answered: report as in `Proof`, the moves in time and as lines, the certificate."""
 
     findings: list[Finding]
     report: dict[str, Any]
     moves: TipTrack
     rapids: Lines
     feeds: Lines
-    part: Part
-    fallen: FallenFaces
-    tools: dict[int, tuple[np.ndarray, np.ndarray]]
     send_file: Path
 
     @property
@@ -81,28 +76,53 @@ class Answer:
         """Whether a finding forbids sending the program."""
         return refused(self.findings)
 
+    def shared(self) -> dict[str, Any]:
+        """Return what every answer has, by name."""
+        return {each.name: getattr(self, each.name) for each in fields(ProgramAnswer)}
+
+
+@dataclass(frozen=True)
+class Answer(ProgramAnswer):
+    """The answer about a part that lies on a table, and what is left of it.
+
+    tools: the outlines of cutter and shank by number, as `tool_outline.outlines_mm`. fallen: what it cuts free.
+    """
+
+    part: Part
+    fallen: FallenFaces
+    tools: dict[int, tuple[np.ndarray, np.ndarray]]
+
 
 def write_question(folder: Path, program: str, job: Job, machine: Machine, dialect: str = "") -> None:
     """Write the request; dialect: in which the program is read, "" for the machine's own."""
     from CNCStepper.job.model import save_job
 
+    write_program(folder, program, machine, dialect)
+    save_job(job, folder / JOB)
+
+
+def write_program(folder: Path, program: str, machine: Machine, dialect: str = "") -> None:
+    """Write what every request holds."""
     (folder / PROGRAM).write_bytes(program.encode("utf-8"))
     (folder / MACHINE).write_text(machine.model_dump_json(), encoding="utf-8")
     (folder / DIALECT).write_text(dialect, encoding="utf-8")
-    save_job(job, folder / JOB)
 
 
 def read_question(folder: Path) -> tuple[str, Job, Machine]:
     """Return program, job and machine; raises JobError for files that `write_question` has not written so."""
     from CNCStepper.job.model import read_job
+
+    program, machine = read_program(folder)
+    return program, read_job(folder / JOB), machine
+
+
+def read_program(folder: Path) -> tuple[str, Machine]:
+    """Return program and machine of a request; raises JobError for files that were not written so."""
     from CNCStepper.machine.profile import Machine, validated
 
     content = json.loads((folder / MACHINE).read_text("utf-8"))
-    return (
-        (folder / PROGRAM).read_bytes().decode("utf-8"),
-        read_job(folder / JOB),
-        validated(Machine, content, str(folder / MACHINE)),
-    )
+    text = (folder / PROGRAM).read_bytes().decode("utf-8")
+    return text, validated(Machine, content, str(folder / MACHINE))
 
 
 def read_dialect(folder: Path) -> str:
@@ -139,19 +159,25 @@ def write_answer(folder: Path, proof: Proof, job: Job, certificate: Certificate)
     """Write the answer except for the part; the result comes last and marks it complete."""
     from CNCStepper.simulation.meshes.fallen_faces import fallen_faces
     from CNCStepper.simulation.meshes.tool_outline import outlines_mm
-    from CNCStepper.simulation.views.path_lines import lines_in_space
 
-    TipTrack.of(proof.toolpath, proof.times_s).save(folder / MOVES)
-    rapids, feeds = lines_in_space(proof.toolpath, MOST_POINTS)
-    columns = (rapids.points, rapids.counts, feeds.points, feeds.counts)
-    named: dict[str, Any] = dict(zip(LINE_COLUMNS, columns, strict=True))
-    np.savez(folder / LINES, **named)
     stock = job.stock.stock()
     fallen_faces(proof.pieces, stock.top_mm).save(folder / FALLEN)
     height_mm = stock.size_mm[2]
     outlines = {str(tool.number): outlines_mm(tool, height_mm) for tool in job.tool}
-    named = {f"{number}-{place}": both[place] for number, both in outlines.items() for place in (0, 1)}
+    named: dict[str, Any] = {f"{number}-{place}": both[place] for number, both in outlines.items() for place in (0, 1)}
     np.savez(folder / TOOLS, **named)
+    write_program_answer(folder, proof.toolpath, proof, certificate)
+
+
+def write_program_answer(folder: Path, moves: Toolpath, proof: Proof, certificate: Certificate) -> None:
+    """Write what every answer holds; the result comes last. moves: the program's, as a view is to show them."""
+    from CNCStepper.simulation.views.path_lines import lines_in_space
+
+    TipTrack.of(moves, proof.times_s).save(folder / MOVES)
+    rapids, feeds = lines_in_space(moves, MOST_POINTS)
+    columns = (rapids.points, rapids.counts, feeds.points, feeds.counts)
+    named: dict[str, Any] = dict(zip(LINE_COLUMNS, columns, strict=True))
+    np.savez(folder / LINES, **named)
     certificate.write(folder / SEND)
     (folder / RESULT).write_text(text_json.dumps(proof.report, allow_nan=False), encoding="utf-8")
 
@@ -168,7 +194,17 @@ def read_part(folder: Path) -> Part:
 
 
 def read_answer(folder: Path) -> Answer:
-    """Return the answer; raises the error that was written instead, or CNCStepperError when there is neither."""
+    """Return the answer about a part on a table; raises what `read_program_answer` raises."""
+    common = read_program_answer(folder)
+    with np.load(folder / TOOLS, allow_pickle=False) as arrays:
+        numbers = sorted({int(name.partition("-")[0]) for name in arrays})
+        tools = {number: (arrays[f"{number}-0"], arrays[f"{number}-1"]) for number in numbers}
+    fallen = FallenFaces.load(folder / FALLEN)
+    return Answer(**common.shared(), part=read_part(folder), fallen=fallen, tools=tools)
+
+
+def read_program_answer(folder: Path) -> ProgramAnswer:
+    """Return what every answer holds; raises the error that was written instead, or CNCStepperError for neither."""
     if (folder / ERROR).exists():
         raise error_from_json(json.loads((folder / ERROR).read_text("utf-8")))
     if not (folder / RESULT).exists():
@@ -181,10 +217,5 @@ def read_answer(folder: Path) -> Answer:
     with np.load(folder / LINES, allow_pickle=False) as arrays:
         columns = [arrays[name] for name in LINE_COLUMNS]
     findings = [Finding.from_dict(content) for content in report["findings"]]
-    with np.load(folder / TOOLS, allow_pickle=False) as arrays:
-        numbers = sorted({int(name.partition("-")[0]) for name in arrays})
-        tools = {number: (arrays[f"{number}-0"], arrays[f"{number}-1"]) for number in numbers}
     moves = TipTrack.load(folder / MOVES)
-    rapids, feeds = Lines(*columns[:2]), Lines(*columns[2:])
-    fallen = FallenFaces.load(folder / FALLEN)
-    return Answer(findings, report, moves, rapids, feeds, read_part(folder), fallen, tools, folder / SEND)
+    return ProgramAnswer(findings, report, moves, Lines(*columns[:2]), Lines(*columns[2:]), folder / SEND)

@@ -40,6 +40,9 @@ from CNCStepper.workbench.features.job import Job
 from CNCStepper.workbench.features.preview import Preview
 from CNCStepper.workbench.features.program import Program, fingerprint, is_of_a_file
 from CNCStepper.workbench.features.tool import Tool
+from CNCStepper.workbench.features.turning.lathe_job import LatheJob
+from CNCStepper.workbench.features.turning.turning_profile import TurningProfile
+from CNCStepper.workbench.features.turning.turning_tool import TurningTool
 
 if TYPE_CHECKING:
     from CNCStepper.job.model import Job as Model
@@ -50,6 +53,7 @@ __all__ = [
     "add_engrave",
     "add_freehand",
     "add_operation",
+    "add_profile",
     "add_shape",
     "add_slices",
     "add_text",
@@ -61,6 +65,7 @@ __all__ = [
     "import_tools",
     "job_model",
     "new_job",
+    "new_lathe_job",
     "program_text",
     "reload_drawing",
     "require_valid",
@@ -74,7 +79,19 @@ UNKNOWN = {"feed_mm_min": 0, "plunge_mm_min": 0, "spindle_rpm": 0}  # of a tool 
 
 def new_job(document: Any, **values: Any) -> Any:
     """Return a new CNCStepper_Job in `document`, with a preview of its program; `values` by the job's keys."""
-    job = _add(document, "App::FeaturePython", Job, values)
+    return _new_job(document, Job, values)
+
+
+def new_lathe_job(document: Any, **values: Any) -> Any:
+    """Return a new CNCStepper_LatheJob in `document`, with a preview of its program; `values` by the job's keys.
+
+    Keys of a table have its name before them: "stock_diameter_mm".
+    """
+    return _new_job(document, LatheJob, values)
+
+
+def _new_job(document: Any, kind: type[Feature], values: dict[str, Any]) -> Any:
+    job = _add(document, "App::FeaturePython", kind, values)
     importlib.import_module("Path")  # FreeCAD learns the type of its Path objects from it
 
     _add(document, "Path::FeaturePython", Preview, {"job": job})
@@ -82,9 +99,10 @@ def new_job(document: Any, **values: Any) -> Any:
 
 
 def add_tool(job: Any, **values: Any) -> Any:
-    """Return a new CNCStepper_Tool among the job's tools; its number is the next free one unless given."""
+    """Return a new tool of the job, of the kind that it has; its number is the next free one unless given."""
     numbers = [tool.Number for tool in job.Tools]
-    tool = _add(job.Document, "App::FeaturePython", Tool, {"number": max(numbers, default=0) + 1, **values})
+    kind = next(kind for kind in (Tool, TurningTool) if kind.Type == job.Proxy.TOOL)
+    tool = _add(job.Document, "App::FeaturePython", kind, {"number": max(numbers, default=0) + 1, **values})
     job.Tools = [*job.Tools, tool]
     return tool
 
@@ -138,7 +156,8 @@ def add_operation(job: Any, cycle: str, drawing: Any = None, picked: Sequence[st
     one that its cut chart describes, unless `tool` says which.
     """
     kind = operation_class(cycle)
-    if PROCESSES[job.Process].uses_chart and "tool" not in values and job.Process in kind.BY:
+    charted = [process for process in kind.BY if process in PROCESSES and PROCESSES[process].uses_chart]
+    if "tool" not in values and job.Process in charted:
         values["tool"] = chart_tool(job)
     tool = {"tool": job.Tools[-1]} if job.Tools else {}
     drawn = {} if drawing is None else {"drawings": [(drawing, tuple(picked))]}
@@ -170,6 +189,12 @@ def load_program(job: Any, path: str | Path) -> Any:
     program_file.store(obj, text)
     job.Message = job.Message  # an output: nothing is out of date by that, but FreeCAD's tree looks at the job again
     return obj
+
+
+def add_profile(document: Any, points: Iterable[str], x_is: str = "diameter") -> Any:
+    """Return a new CNCStepper_TurningProfile; points: a line of text each, as `job/turning/profile_rows.py` says."""
+    values = {"points": tuple(points), "x_is": x_is}
+    return _add(document, "Part::FeaturePython", TurningProfile, values)
 
 
 def add_freehand(
@@ -288,9 +313,7 @@ def save_program(job: Any, path: str | Path, overwrite: bool = False) -> list[Pa
     text, path = program_text(job), Path(path)
     if job.ProgramParts == 1:
         return [_write(path, text)]
-    from CNCStepper.workbench.document.core_job import programs
-
-    names = [(name.removeprefix("program").removesuffix(".nc"), each) for name, each in programs(job)]
+    names = [(name.removeprefix("program").removesuffix(".nc"), each) for name, each in job.Proxy.programs(job)]
     files = [(path.with_name(f"{path.stem}{name}{path.suffix}"), each) for name, each in names]
     there = [file for file, _ in files if os.path.lexists(file)]
     if there and not overwrite:

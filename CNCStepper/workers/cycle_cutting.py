@@ -13,6 +13,9 @@ before. Each line on standard output is about the newest:
                                                                           the first operation of the job
     {"key": KEY, "answer": {"texts": [[name, text]], "paths": [text]}}    of a PART {"program": job, "machine": machine,
                                                                           "title": text}: paths are for FreeCAD's Path
+    {"key": KEY, "answer": {"figures" ... or "texts" ...}}               of a PART {"turned_cut": job} or
+                                                                          {"turned_program": job, "title": text}: a
+                                                                          lathe's, as job/turning/turning_transfer.py
     {"key": KEY, "answer": {"curves": {...}}}                             of a PART {"text": form, "folder": path}:
                                                                           columns, job/drawings/imported_drawing.py
     {"key": KEY, "answer": {"error": {...}}}                      of a part that is refused
@@ -24,6 +27,7 @@ When standard input is closed the process ends.
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
@@ -68,7 +72,14 @@ class Answers:
 
     def _part(self, part: dict[str, Any]) -> dict[str, Any]:
         try:
-            work = {"fit": self._fits, "cut": self._cut, "text": self._text, "program": self._programs}
+            work: dict[str, Callable[[dict[str, Any]], dict[str, Any]]] = {
+                "fit": self._fits,
+                "cut": self._cut,
+                "text": self._text,
+                "program": self._programs,
+                "turned_cut": self._turned_cut,
+                "turned_program": self._turned_programs,
+            }
             return next(work[key] for key in work if key in part)(part)
         except Outdated:
             raise
@@ -108,6 +119,21 @@ class Answers:
         texts = program_texts(job.model_copy(update={"operation": ready}), machine, part["title"])
         paths = [path_text(job, machine, text, part["title"]) for _, text in texts]
         return {"texts": texts, "paths": paths}
+
+    def _turned_cut(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.job.turning.turning_transfer import job_from, last_cut
+
+        tell({"stage": "cut"})
+        figures, warnings = last_cut(*job_from(part["turned_cut"]))
+        return {"figures": figures, "warnings": warnings}
+
+    def _turned_programs(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.job.turning.turning_transfer import job_from, path_text, program_texts
+
+        tell({"stage": "write"})
+        job, machine = job_from(part["turned_program"])
+        texts = program_texts(job, machine, part["title"])
+        return {"texts": texts, "paths": [path_text(job, machine, text, part["title"]) for _, text in texts]}
 
     def _cut_once(self, cycle: Any, setup: Any) -> Any:
         from CNCStepper.job.cycle_cache import CycleCache

@@ -18,7 +18,7 @@ import traceback
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from CNCStepper.errors import CNCStepperError, MissingPackage, Text
+from CNCStepper.errors import CNCStepperError, JobError, MissingPackage, Text
 
 if TYPE_CHECKING:
     from CNCStepper.simulation.removal.heightmap import HeightMap
@@ -47,6 +47,29 @@ def main(arguments: list[str]) -> int:
 
 def answer(folder: Path, name: str) -> None:
     """Read the question, prove, and write the answer; raises what the core raises."""
+    from CNCStepper.job.turning.turning_proof_folder import is_turned
+
+    (_answer_turned if is_turned(folder) else _answer_job)(folder, name)
+
+
+def _answer_turned(folder: Path, name: str) -> None:
+    from CNCStepper.job.make_certificate import certificate_of
+    from CNCStepper.job.proof_folder import read_program
+    from CNCStepper.job.start_state_file import read_start
+    from CNCStepper.job.turning.turning_proof_folder import prove_question, write_turned_answer
+    from CNCStepper.recovery.restart.restart_proof_folder import read_place
+
+    if read_place(folder) is not None:
+        what, advice = "the program of a lathe cannot be restarted in its middle", "turn the part from its beginning"
+        raise JobError("restart-turning", what, advice=advice)
+    _tell("read")
+    program, machine = read_program(folder)
+    proof, verdict, on_part = prove_question(folder, program, machine, name, read_start(folder))
+    _tell("report")
+    write_turned_answer(folder, proof, verdict, on_part, certificate_of(proof))
+
+
+def _answer_job(folder: Path, name: str) -> None:
     from CNCStepper.job.make_certificate import certificate_of
     from CNCStepper.job.proof_folder import read_dialect, read_question, write_answer, write_part
     from CNCStepper.job.prove import prior_proofs, prove_job
@@ -57,15 +80,12 @@ def answer(folder: Path, name: str) -> None:
     program, job, machine = read_question(folder)
     start, place = read_start(folder), read_place(folder)
 
-    def tell(stage: str) -> None:
-        print(stage, flush=True)
-
     def see(part: HeightMap) -> None:
         write_part(folder, part)
-        tell("part")
+        _tell("part")
 
     earlier = prior_proofs(job, machine, program, name, start)
-    more: dict[str, Any] = {"file": name, "start": start, "tell": tell, "see": see, "earlier": earlier}
+    more: dict[str, Any] = {"file": name, "start": start, "tell": _tell, "see": see, "earlier": earlier}
     more["dialect"] = read_dialect(folder)
     if place is None:
         proof = prove_job(job, machine, program, **more)
@@ -76,6 +96,10 @@ def answer(folder: Path, name: str) -> None:
         proof, certificate = restarted.proof, certificate_of_restart(restarted)
         write_restart(folder, restarted.restart)
     write_answer(folder, proof, job, certificate)
+
+
+def _tell(stage: str) -> None:
+    print(stage, flush=True)
 
 
 def _refuse(folder: Path, error: CNCStepperError) -> None:

@@ -4,6 +4,18 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>0: one degree less than the flank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>1 to 9, where the tip lies; 0: by kind and hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>1: equal depths; 2: equal areas of chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A TrueType or OpenType file, instead of the font</source>
             <translation type="unfinished"></translation>
         </message>
@@ -96,6 +108,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along Z, along X or along the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along a line or arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -120,6 +136,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Approach</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arc Centre</source>
             <translation type="unfinished"></translation>
         </message>
@@ -133,6 +157,14 @@
         </message>
         <message>
             <source>Arc Sweep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc Tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -164,6 +196,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Around the jaws; 0: no jaws stand out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>As a multiple of the thickness; 0: none by thickness</source>
             <translation type="unfinished"></translation>
         </message>
@@ -172,7 +208,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Back Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Back edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Before zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -188,7 +244,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the flanks of a threading tool; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the front edge and the feed, given by the holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -216,6 +284,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -228,7 +300,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>By which the radius grows towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Canned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Canned cycles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Centre Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Centre Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Centre Hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -249,6 +345,14 @@
         </message>
         <message>
             <source>Chip Load Min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chuck Diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -396,6 +500,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Crest diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Current</source>
             <translation type="unfinished"></translation>
         </message>
@@ -424,6 +532,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cut Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -444,6 +556,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Degression</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Deleted Drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -457,6 +573,10 @@
         </message>
         <message>
             <source>Depth Of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth of cut ap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -477,6 +597,14 @@
         </message>
         <message>
             <source>Direction</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distance Mode</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Distances</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -520,11 +648,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Edge Length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Edge Margin</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Edge length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Edge margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Edges</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -556,6 +696,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Entering angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation type="unfinished"></translation>
         </message>
@@ -584,6 +728,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Face Stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fastest spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Faults</source>
             <translation type="unfinished"></translation>
         </message>
@@ -592,7 +744,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Feed Per Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Feed Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed and speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -605,6 +765,10 @@
         </message>
         <message>
             <source>Feed of holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed per turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -636,11 +800,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First Depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First corner</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Floor diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -669,6 +845,10 @@
         </message>
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For the forces; empty: they are not figured</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -704,6 +884,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -724,11 +908,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From that wall towards the end face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the chuck's face to the finished end face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From the middle of the circle to the holes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>From the tip to the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the work zero (G90), or from the point before (G91)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From there towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Front Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Front edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -748,11 +956,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Greatest Depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Greatest depth of cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -792,6 +1016,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -817,6 +1045,14 @@
         </message>
         <message>
             <source>How deep one peck goes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How deep one peck goes; 0: in one go</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a bar or drill gets along Z, a blade along X; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -864,7 +1100,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far before the material a rapid ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far behind the pierce the power is full</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far chords may leave an arc, where the controller has no arcs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -900,11 +1144,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far the jaws stand out of the chuck's face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the kerf of a way through the scrap stays from every part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the raw end lies before the finished end face, where Z is 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1012,6 +1264,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many; 0: those of the designation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1060,6 +1316,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How the tool is fed in from pass to pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How the tool leaves the contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1073,6 +1333,10 @@
         </message>
         <message>
             <source>Identity</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In front of the thread, where the tool catches up with the spindle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1092,11 +1356,55 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Infeed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Infeed Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Infeed angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Into which a boring bar fits; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Invert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its code of ISO 1832, such as CNMG 120408; empty: by its angles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its designation: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jaw Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jaw diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jaws</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1152,6 +1460,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lead Angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lead In Angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1204,11 +1516,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the face for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the profile, normal to it, for another operation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1412,6 +1740,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Metres a minute at the bar's diameter; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle, where the operation says nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle; 0: the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert needs; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert takes; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Minor</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1424,7 +1772,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Most Turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Narrow arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nose Radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nose radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1448,11 +1808,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of a drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a parting blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of a sheet of material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Of its curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of its tip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1476,6 +1848,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the cutting edges; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the font, such as Bold; empty: the regular one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1485,6 +1861,14 @@
         </message>
         <message>
             <source>Of the sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the tip below the finished end face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the tip; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1520,7 +1904,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Orientation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Other corner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Out of the hole for each peck, or to break the chip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1561,6 +1953,10 @@
         </message>
         <message>
             <source>Passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Passes along</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1772,6 +2168,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pull Out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1821,6 +2225,10 @@
         </message>
         <message>
             <source>Ramp length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reach</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1892,6 +2300,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Right hand cuts towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rotation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1921,6 +2333,10 @@
         </message>
         <message>
             <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shank</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2032,6 +2448,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Smallest Bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Smallest bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Smooth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2068,6 +2492,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spindle turns a minute; 0: by the surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spindle turns a minute; 0: that of the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2092,11 +2524,35 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spring Passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spring passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Start By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Starts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2164,6 +2620,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Surface Speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sweep</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2193,6 +2657,14 @@
         </message>
         <message>
             <source>Tabs Width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tailstock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tailstock By</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2248,7 +2720,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The depth of one pass at most, on the radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The depth of one pass at most; 0: all at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The depth of the first pass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2256,11 +2736,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter at which the cut ends; 0: over the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of a boring bar; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the centre hole; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The diameter of the cutter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter of the floor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the raw bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the surface into which it is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the tailstock's centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The diameter of the tool holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the back edge away from the nose, from Z+ towards X+</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the front edge away from the nose, from Z+ towards X+</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2300,6 +2820,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The feed of the program, in millimetres a turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The file of a cut chart of your own; empty: the chart that ships</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2320,7 +2844,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The half profile that it turns: a sketch, edges, a solid or points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The half profile whose diameter the thread has; without it the usual fit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The inner diameter of a tube</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2361,6 +2897,18 @@
         </message>
         <message>
             <source>The length of the lead's line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length over which the tool comes out at the end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length that the part keeps, below zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The limit of the surface speed; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2524,6 +3072,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The tool's X when the program begins, as radius or diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool's Z when the program begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tools that operations may choose from</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2533,6 +3089,10 @@
         </message>
         <message>
             <source>The torch above the sheet while it pierces; 0: that of the chart</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The wall towards the chuck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2560,6 +3120,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The width of the holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The width of the picture; 0: as its resolution says</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2577,6 +3141,10 @@
         </message>
         <message>
             <source>Thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thread</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2616,7 +3184,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tip orientation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>To</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2641,6 +3225,14 @@
         </message>
         <message>
             <source>Tools without feeds or speed use its table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Top Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Top diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2672,6 +3264,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Wall Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wall feed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2688,11 +3284,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the X of a row is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the height is measured of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the insert takes, on the radius; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the letters stand on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the program's X is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the tool is for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2708,6 +3320,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where it begins; 0: that of the profile or the usual fit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where rapids travel across the work</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2717,6 +3333,10 @@
         </message>
         <message>
             <source>Where the drawings are written; empty: beside the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the face lies when it is cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2740,6 +3360,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the thread begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the tool is when the program begins: clear of the raw end, or given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a centre holds the raw end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether a laser's power follows its speed (M4)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2760,6 +3392,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether it works in a bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2777,6 +3413,14 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether their directions are those of insert and holder, or given by two angles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether threads are written as G76, where the controller has it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2812,7 +3456,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X; Z of each point from the end face to the chuck; then chamfer, fillet, cw or ccw</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>XIs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z of the faces or of the section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z of the wall</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2872,6 +3536,18 @@
         </message>
         <message>
             <source>'{0}' is too large</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0: one degree less than the flank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>1 to 9, where the tip lies; 0: by kind and hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>1: equal depths; 2: equal areas of chip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3271,6 +3947,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along Z, along X or along the profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along Z, mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3319,6 +3999,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Approach</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arc slot</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3343,6 +4027,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Around the jaws; 0: no jaws stand out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arrow</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3364,6 +4052,10 @@
         </message>
         <message>
             <source>At the end of {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At the full depth, besides the last one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3395,6 +4087,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Back edge</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Back from here to the begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3407,7 +4103,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Base</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Before zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3443,7 +4147,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the flanks of a threading tool; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the front edge and the feed, given by the holder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3499,6 +4215,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>By which the radius grows towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bytes ahead at most</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3508,6 +4228,10 @@
         </message>
         <message>
             <source>Cancel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Canned cycles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3592,6 +4316,10 @@
         </message>
         <message>
             <source>Choose one here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chuck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3791,6 +4519,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Crest diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cross</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3879,6 +4611,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Degression</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Delete a point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3892,6 +4628,10 @@
         </message>
         <message>
             <source>Depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth of cut ap</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3995,6 +4735,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Distances</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Does</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4091,7 +4835,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Edge length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Edge margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Edges</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4164,6 +4916,10 @@
         </message>
         <message>
             <source>Enter from</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Entering angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4243,11 +4999,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Fastest spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Faults</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed and speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4260,6 +5024,10 @@
         </message>
         <message>
             <source>Feed of holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Feed per turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4319,6 +5087,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First eye</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4359,6 +5131,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Floor diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Flute length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4392,6 +5168,10 @@
         </message>
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For the forces; empty: they are not figured</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4455,6 +5235,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4499,11 +5283,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From that wall towards the end face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From the base to the eye's middle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>From the bore's bottom to the keyway's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From the chuck's face to the finished end face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4535,7 +5327,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From the work zero (G90), or from the point before (G91)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From there towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From tooth to tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Front edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4643,7 +5447,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Greatest depth of cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Greatest feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4815,6 +5627,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How deep one peck goes; 0: in one go</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far a bar or drill gets along Z, a blade along X; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far a closed cut is followed with power beyond its begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4859,7 +5679,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far before the material a rapid ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far behind the pierce the power is full</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far chords may leave an arc, where the controller has no arcs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4907,11 +5735,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How far the jaws stand out of the chuck's face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How far the kerf of a way through the scrap stays from every part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the raw end lies before the finished end face, where Z is 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5039,6 +5875,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many; 0: those of the designation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5087,6 +5927,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How the tool is fed in from pass to pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How the tool leaves the contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5119,6 +5963,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>In front of the thread, where the tool catches up with the spindle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>In holes, or round bosses</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5147,6 +5995,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Infeed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Infeed angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Inner diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5159,6 +6015,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Inside of the hook</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5168,6 +6032,10 @@
         </message>
         <message>
             <source>Interval of pulses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Into which a boring bar fits; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5191,11 +6059,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its code of ISO 1832, such as CNMG 120408; empty: by its angles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its designation: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jaw diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jaws</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5335,6 +6219,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Least feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Least wait</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5344,6 +6232,14 @@
         </message>
         <message>
             <source>Leave out of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the face for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the profile, normal to it, for another operation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5615,7 +6511,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Metres a minute at the bar's diameter; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Microsteps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle, where the operation says nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle; 0: the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert needs; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert takes; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5787,6 +6703,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nose radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Not certain</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5847,11 +6767,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of a drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a parting blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of a sheet of material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Of its curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of its tip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5875,6 +6807,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the cutting edges; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the driver, in a full step</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5892,6 +6828,14 @@
         </message>
         <message>
             <source>Of the sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the tip below the finished end face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the tip; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5991,6 +6935,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Out of the hole for each peck, or to break the chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Outer diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6080,6 +7028,10 @@
         </message>
         <message>
             <source>Passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Passes along</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6311,6 +7263,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pulley's teeth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6436,6 +7392,10 @@
         </message>
         <message>
             <source>Ratchet wheel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Reach</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6635,6 +7595,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Right hand cuts towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Ring</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6807,6 +7771,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6947,6 +7915,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Smallest bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Smooth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6991,6 +7963,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spindle turns a minute; 0: by the surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spindle turns a minute; 0: that of the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7000,6 +7980,10 @@
         </message>
         <message>
             <source>Spot time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spring passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7023,6 +8007,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Start X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Start angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7032,6 +8024,10 @@
         </message>
         <message>
             <source>Starting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Starts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7115,6 +8111,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sweep</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7148,6 +8148,10 @@
         </message>
         <message>
             <source>Tag</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tailstock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7295,7 +8299,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The depth of one pass at most, on the radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The depth of one pass at most; 0: all at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The depth of the first pass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7303,11 +8315,51 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter at which the cut ends; 0: over the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of a boring bar; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the centre hole; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The diameter of the cutter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The diameter of the floor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the raw bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the surface into which it is cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The diameter of the tailstock's centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The diameter of the tool holder; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the back edge away from the nose, from Z+ towards X+</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the front edge away from the nose, from Z+ towards X+</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7351,6 +8403,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The feed of the program, in millimetres a turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The file has a new layout: its comments are not in it.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7379,7 +8435,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The half profile that it turns: a sketch, edges, a solid or points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The half profile whose diameter the thread has; without it the usual fit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The inner diameter of a tube</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7443,7 +8511,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The length over which the tool comes out at the end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length that the part keeps, below zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The letters start at the machine's position.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The limit of the surface speed; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7775,6 +8855,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The tool's X when the program begins, as radius or diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool's Z when the program begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tools that operations may choose from</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7788,6 +8876,10 @@
         </message>
         <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The wall towards the chuck</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7812,6 +8904,10 @@
         </message>
         <message>
             <source>The width of the cut; 0: that of the cut chart or the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The width of the holder; 0: not given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7923,7 +9019,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tip orientation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>To</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7995,6 +9103,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Top diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Torch off before</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8036,6 +9148,10 @@
         </message>
         <message>
             <source>Triangular plate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8151,11 +9267,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the X of a row is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the height is measured of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What the insert takes, on the radius; 0: not given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What the letters stand on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the program's X is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What the tool is for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8171,6 +9303,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where it begins; 0: that of the profile or the usual fit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where rapids travel across the work</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8180,6 +9316,10 @@
         </message>
         <message>
             <source>Where the drawings are written; empty: beside the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the face lies when it is cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8203,6 +9343,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the thread begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the tool is when the program begins: clear of the raw end, or given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether a centre holds the raw end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether a laser's power follows its speed (M4)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8223,6 +9375,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whether it works in a bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8240,6 +9396,14 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether their directions are those of insert and holder, or given by two angles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether threads are written as G76, where the controller has it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8335,6 +9499,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>X times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8355,6 +9523,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X; Z of each point from the end face to the chuck; then chamfer, fillet, cw or ccw</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>XPS foam</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8367,7 +9539,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Z of the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z of the faces or of the section</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z of the wall</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8407,6 +9587,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>absolute (G90)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>acrylic, cast</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8427,7 +9611,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>along X (as G72)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>along Z (as G71)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>along the flank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>along the profile (as G73)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>along the walls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>alternating flanks</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8563,7 +9767,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bolt circle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8592,6 +9804,10 @@
         </message>
         <message>
             <source>by numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>by two angles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8684,6 +9900,10 @@
         </message>
         <message>
             <source>depth of a peck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8860,6 +10080,10 @@
         </message>
         <message>
             <source>incremental</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>incremental (G91)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9059,6 +10283,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>off</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9088,6 +10316,10 @@
         </message>
         <message>
             <source>our planner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>out of the hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9128,6 +10360,10 @@
         </message>
         <message>
             <source>paper</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parting and grooving</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9212,6 +10448,14 @@
         </message>
         <message>
             <source>quadratic spline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radial</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9407,6 +10651,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>time, number or turns, as the code has it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9415,11 +10663,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>to break the chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>to the nearest edge</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>tool {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>tube</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning outside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9710,11 +10970,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{drawing}' has more than one solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>'{drawing}' is a solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{drawing}' is no profile by points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9742,11 +11010,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{label}' does not lie in a plane through the lathe's axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{label}' has a hollow that no tool can enter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{label}' is drawn where '{other}' is, and counts once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{label}' is no solid of revolution</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{line}' is no row of a profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9767,6 +11051,10 @@
         </message>
         <message>
             <source>'{out}' is drawn where '{kept}' is, and counts once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{part}' in '{line}' says nothing of a corner or an arc</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10914,6 +12202,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a face of '{label}' does not run round the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a face's normal passes the axis by {passed:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a fault of the program: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11246,7 +12542,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a profile is made of edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile must be one chain of lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a profile needs points or dxf, one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile needs two points or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11938,6 +13246,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at {z:.4g} mm along the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at {z:.4g} mm along the axis, radius {r:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12330,6 +13646,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose a sketch, edges, a solid of revolution or points for it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose a sketch, wire, B-spline or freehand line for it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12414,6 +13734,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose one of them, or join them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose one of: {choices}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12467,6 +13791,10 @@
         </message>
         <message>
             <source>close it first: cncstepper disconnect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it in the drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12915,6 +14243,14 @@
         </message>
         <message>
             <source>draw it on the XY plane or on one parallel to it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw it on the XZ plane, with X as the radius and Z along the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw its half profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13830,6 +15166,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it has no face with an axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it has no face {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14623,6 +15963,10 @@
         </message>
         <message>
             <source>make Q larger</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make a profile by points and choose that</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15691,6 +17035,10 @@
         </message>
         <message>
             <source>peck_mm {peck_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pick edges only, or the whole object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16790,7 +18138,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take out the axis and the line at the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take out the inner (</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take out what is not turned (keyways, flats, cross holes), or draw its half profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18590,6 +19946,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the part has no bore that opens at its front end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18798,6 +20158,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the profile is closed: it has no end at the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile is smaller than its allowance</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18903,6 +20267,10 @@
         </message>
         <message>
             <source>the program needs more than one tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program of a lathe cannot be restarted in its middle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20202,6 +21570,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tool {number} is not quite that of its file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>tool {number} is unknown, so that its cuts are not checked</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20239,6 +21611,14 @@
         </message>
         <message>
             <source>try it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn it round, or take its outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turn the part from its beginning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20938,6 +22318,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write X; Z of each in a row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write X; Z, then for example chamfer 1 or ccw radius 7</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write [MATERIAL_NUMBER_n] and below it lines such as: CUT_SPEED = 3850</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21027,6 +22415,10 @@
         </message>
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write chamfer, fillet, cw radius, ccw radius or cw centre with their numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21399,6 +22791,10 @@
         </message>
         <message>
             <source>{asked}; a {other} is used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{away:.4g} mm beside it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22098,11 +23494,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{obj} follows one profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{obj} has no '{unknown}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{obj} has no drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{obj} has no profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22347,6 +23751,10 @@
         </message>
         <message>
             <source>{what}, not {value}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}, at X {x:.4g} Y {y:.4g} Z {z:.4g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

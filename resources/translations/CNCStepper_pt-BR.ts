@@ -4,6 +4,18 @@
     <context>
         <name>App::Property</name>
         <message>
+            <source>0: one degree less than the flank</source>
+            <translation>0: um grau menos que o flanco</translation>
+        </message>
+        <message>
+            <source>1 to 9, where the tip lies; 0: by kind and hand</source>
+            <translation>1 a 9, onde fica a ponta; 0: conforme o tipo e a mão</translation>
+        </message>
+        <message>
+            <source>1: equal depths; 2: equal areas of chip</source>
+            <translation>1: profundidades iguais; 2: áreas de cavaco iguais</translation>
+        </message>
+        <message>
             <source>A TrueType or OpenType file, instead of the font</source>
             <translation>Um arquivo TrueType ou OpenType, em vez da fonte</translation>
         </message>
@@ -96,6 +108,10 @@
             <translation>Ao longo de</translation>
         </message>
         <message>
+            <source>Along Z, along X or along the profile</source>
+            <translation>Ao longo de Z, de X ou do perfil</translation>
+        </message>
+        <message>
             <source>Along a line or arc</source>
             <translation>Ao longo de uma linha ou arco</translation>
         </message>
@@ -120,6 +136,14 @@
             <translation>Ângulo saída</translation>
         </message>
         <message>
+            <source>Ap</source>
+            <translation>Ap</translation>
+        </message>
+        <message>
+            <source>Approach</source>
+            <translation>Aproximação</translation>
+        </message>
+        <message>
             <source>Arc Centre</source>
             <translation>Centro do arco</translation>
         </message>
@@ -134,6 +158,14 @@
         <message>
             <source>Arc Sweep</source>
             <translation>Abertura do arco</translation>
+        </message>
+        <message>
+            <source>Arc Tolerance</source>
+            <translation>Tolerância de arco</translation>
+        </message>
+        <message>
+            <source>Arc tolerance</source>
+            <translation>Tolerância de arco</translation>
         </message>
         <message>
             <source>Arcs By</source>
@@ -164,6 +196,10 @@
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
         </message>
         <message>
+            <source>Around the jaws; 0: no jaws stand out</source>
+            <translation>Em volta das castanhas; 0: nenhuma castanha sobressai</translation>
+        </message>
+        <message>
             <source>As a multiple of the thickness; 0: none by thickness</source>
             <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
@@ -172,8 +208,28 @@
             <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
+            <source>At the full depth, besides the last one</source>
+            <translation>Na profundidade total, além do último</translation>
+        </message>
+        <message>
             <source>Axis</source>
             <translation>Eixo</translation>
+        </message>
+        <message>
+            <source>Back Angle</source>
+            <translation>Ângulo traseiro</translation>
+        </message>
+        <message>
+            <source>Back edge</source>
+            <translation>Aresta traseira</translation>
+        </message>
+        <message>
+            <source>Bar</source>
+            <translation>Haste</translation>
+        </message>
+        <message>
+            <source>Before zero</source>
+            <translation>Antes do zero</translation>
         </message>
         <message>
             <source>Below thickness times</source>
@@ -188,8 +244,20 @@
             <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
+            <source>Between the flanks of a threading tool; 0: that of the insert</source>
+            <translation>Entre os flancos de uma ferramenta de roscar; 0: o da pastilha</translation>
+        </message>
+        <message>
+            <source>Between the front edge and the feed, given by the holder</source>
+            <translation>Entre a aresta dianteira e o avanço, dado pelo suporte</translation>
+        </message>
+        <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
             <translation>Entre os dois lados de uma fresa em V ou de gravação; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point</source>
+            <translation>Entre os dois lados da ponta de uma broca</translation>
         </message>
         <message>
             <source>Between the two sides of a drill's point; 0: not given</source>
@@ -216,6 +284,10 @@
             <translation>Desfoque</translation>
         </message>
         <message>
+            <source>Bore</source>
+            <translation>Mandrilar</translation>
+        </message>
+        <message>
             <source>Bridges that hold the part until it is broken out</source>
             <translation>Pontes que seguram a peça até ela ser destacada</translation>
         </message>
@@ -228,8 +300,32 @@
             <translation>Por cor</translation>
         </message>
         <message>
+            <source>By which the radius grows towards the chuck</source>
+            <translation>Pelo qual o raio cresce em direção à placa</translation>
+        </message>
+        <message>
+            <source>Canned</source>
+            <translation>Ciclos fixos</translation>
+        </message>
+        <message>
+            <source>Canned cycles</source>
+            <translation>Ciclos fixos</translation>
+        </message>
+        <message>
             <source>Centre</source>
             <translation>Centro</translation>
+        </message>
+        <message>
+            <source>Centre Angle</source>
+            <translation>Ângulo do contraponto</translation>
+        </message>
+        <message>
+            <source>Centre Diameter</source>
+            <translation>Diâmetro do contraponto</translation>
+        </message>
+        <message>
+            <source>Centre Hole</source>
+            <translation>Furo de centro</translation>
         </message>
         <message>
             <source>Chains</source>
@@ -250,6 +346,14 @@
         <message>
             <source>Chip Load Min</source>
             <translation>Avanço por dente mínimo</translation>
+        </message>
+        <message>
+            <source>Chuck</source>
+            <translation>Placa</translation>
+        </message>
+        <message>
+            <source>Chuck Diameter</source>
+            <translation>Diâmetro da placa</translation>
         </message>
         <message>
             <source>Circle</source>
@@ -396,6 +500,10 @@
             <translation>Quantidade</translation>
         </message>
         <message>
+            <source>Crest diameter</source>
+            <translation>Diâmetro da crista</translation>
+        </message>
+        <message>
             <source>Current</source>
             <translation>Corrente</translation>
         </message>
@@ -424,6 +532,10 @@
             <translation>Comprimento do corte</translation>
         </message>
         <message>
+            <source>Cut Z</source>
+            <translation>Z do corte</translation>
+        </message>
+        <message>
             <source>Cut chart</source>
             <translation>Tabela de corte</translation>
         </message>
@@ -444,6 +556,10 @@
             <translation>Ciclo</translation>
         </message>
         <message>
+            <source>Degression</source>
+            <translation>Degressão</translation>
+        </message>
+        <message>
             <source>Deleted Drawing</source>
             <translation>Desenho excluído</translation>
         </message>
@@ -458,6 +574,10 @@
         <message>
             <source>Depth Of</source>
             <translation>Profundidade de</translation>
+        </message>
+        <message>
+            <source>Depth of cut ap</source>
+            <translation>Profundidade de corte ap</translation>
         </message>
         <message>
             <source>Depth to</source>
@@ -478,6 +598,14 @@
         <message>
             <source>Direction</source>
             <translation>Sentido</translation>
+        </message>
+        <message>
+            <source>Distance Mode</source>
+            <translation>Modo de distância</translation>
+        </message>
+        <message>
+            <source>Distances</source>
+            <translation>Distâncias</translation>
         </message>
         <message>
             <source>Dog-bones</source>
@@ -520,12 +648,24 @@
             <translation>Potência dinâmica</translation>
         </message>
         <message>
+            <source>Edge Length</source>
+            <translation>Comprimento da aresta</translation>
+        </message>
+        <message>
             <source>Edge Margin</source>
             <translation>Margem da borda</translation>
         </message>
         <message>
+            <source>Edge length</source>
+            <translation>Comprimento da aresta</translation>
+        </message>
+        <message>
             <source>Edge margin</source>
             <translation>Margem da borda</translation>
+        </message>
+        <message>
+            <source>Edges</source>
+            <translation>Arestas</translation>
         </message>
         <message>
             <source>Ellipse</source>
@@ -556,6 +696,10 @@
             <translation>Entra por</translation>
         </message>
         <message>
+            <source>Entering angle</source>
+            <translation>Ângulo de posição</translation>
+        </message>
+        <message>
             <source>Entry</source>
             <translation>Entrada</translation>
         </message>
@@ -584,6 +728,14 @@
             <translation>Quanto a ferramenta desce a mais para sair por baixo</translation>
         </message>
         <message>
+            <source>Face Stock</source>
+            <translation>Sobremetal da face</translation>
+        </message>
+        <message>
+            <source>Fastest spindle</source>
+            <translation>Fuso mais rápido</translation>
+        </message>
+        <message>
             <source>Faults</source>
             <translation>Falhas</translation>
         </message>
@@ -592,8 +744,16 @@
             <translation>Avanço</translation>
         </message>
         <message>
+            <source>Feed Per Turn</source>
+            <translation>Avanço por volta</translation>
+        </message>
+        <message>
             <source>Feed Used</source>
             <translation>Avanço usado</translation>
+        </message>
+        <message>
+            <source>Feed and speed</source>
+            <translation>Avanço e rotação</translation>
         </message>
         <message>
             <source>Feed at corners</source>
@@ -606,6 +766,10 @@
         <message>
             <source>Feed of holes</source>
             <translation>Avanço dos furos</translation>
+        </message>
+        <message>
+            <source>Feed per turn</source>
+            <translation>Avanço por volta</translation>
         </message>
         <message>
             <source>Figures</source>
@@ -636,12 +800,24 @@
             <translation>Última penetração de trabalho</translation>
         </message>
         <message>
+            <source>First Depth</source>
+            <translation>Primeira profundidade</translation>
+        </message>
+        <message>
             <source>First corner</source>
             <translation>Primeiro canto</translation>
         </message>
         <message>
+            <source>First depth</source>
+            <translation>Primeira profundidade</translation>
+        </message>
+        <message>
             <source>First hole</source>
             <translation>Primeiro furo</translation>
+        </message>
+        <message>
+            <source>Floor diameter</source>
+            <translation>Diâmetro do fundo</translation>
         </message>
         <message>
             <source>Flute Length</source>
@@ -670,6 +846,10 @@
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
+        </message>
+        <message>
+            <source>For the forces; empty: they are not figured</source>
+            <translation>Para as forças; vazio: não são calculadas</translation>
         </message>
         <message>
             <source>Form</source>
@@ -704,6 +884,10 @@
             <translation>De X às linhas do padrão</translation>
         </message>
         <message>
+            <source>From Z</source>
+            <translation>De Z</translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation>De uma peça à borda da chapa</translation>
         </message>
@@ -724,12 +908,36 @@
             <translation>De uma volta da rosca à seguinte</translation>
         </message>
         <message>
+            <source>From that wall towards the end face</source>
+            <translation>Daquela parede em direção à face da ponta</translation>
+        </message>
+        <message>
+            <source>From the chuck's face to the finished end face</source>
+            <translation>Da face da placa até a face acabada</translation>
+        </message>
+        <message>
             <source>From the middle of the circle to the holes</source>
             <translation>Do meio do círculo até os furos</translation>
         </message>
         <message>
             <source>From the tip to the holder; 0: not given</source>
             <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>From the work zero (G90), or from the point before (G91)</source>
+            <translation>Do zero da peça (G90), ou do ponto anterior (G91)</translation>
+        </message>
+        <message>
+            <source>From there towards the chuck</source>
+            <translation>Dali em direção à placa</translation>
+        </message>
+        <message>
+            <source>Front Angle</source>
+            <translation>Ângulo dianteiro</translation>
+        </message>
+        <message>
+            <source>Front edge</source>
+            <translation>Aresta dianteira</translation>
         </message>
         <message>
             <source>Gap</source>
@@ -748,12 +956,28 @@
             <translation>Lado bom</translation>
         </message>
         <message>
+            <source>Greatest Depth</source>
+            <translation>Maior profundidade</translation>
+        </message>
+        <message>
+            <source>Greatest Feed</source>
+            <translation>Maior avanço</translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation>Avanço por dente máximo</translation>
         </message>
         <message>
+            <source>Greatest depth of cut</source>
+            <translation>Maior profundidade de corte</translation>
+        </message>
+        <message>
             <source>Greatest engagement</source>
             <translation>Ângulo de contato máximo</translation>
+        </message>
+        <message>
+            <source>Greatest feed</source>
+            <translation>Maior avanço</translation>
         </message>
         <message>
             <source>Half the width along its second axis</source>
@@ -792,6 +1016,10 @@
             <translation>Diâmetro do porta-ferramenta</translation>
         </message>
         <message>
+            <source>Hole</source>
+            <translation>Furo</translation>
+        </message>
+        <message>
             <source>Holes</source>
             <translation>Furos</translation>
         </message>
@@ -818,6 +1046,14 @@
         <message>
             <source>How deep one peck goes</source>
             <translation>Quanto desce cada bicada</translation>
+        </message>
+        <message>
+            <source>How deep one peck goes; 0: in one go</source>
+            <translation>Quanto entra cada bicada; 0: de uma vez</translation>
+        </message>
+        <message>
+            <source>How far a bar or drill gets along Z, a blade along X; 0: not given</source>
+            <translation>Até onde chega uma haste ou broca em Z, um bedame em X; 0: não dado</translation>
         </message>
         <message>
             <source>How far a closed cut is followed with power beyond its begin</source>
@@ -864,8 +1100,16 @@
             <translation>A que distância do fim o corte segue sem potência</translation>
         </message>
         <message>
+            <source>How far before the material a rapid ends</source>
+            <translation>Quanto antes do material termina um movimento rápido</translation>
+        </message>
+        <message>
             <source>How far behind the pierce the power is full</source>
             <translation>A que distância da perfuração a potência é plena</translation>
+        </message>
+        <message>
+            <source>How far chords may leave an arc, where the controller has no arcs</source>
+            <translation>Quanto as cordas podem se afastar de um arco, onde o controlador não tem arcos</translation>
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
@@ -900,12 +1144,20 @@
             <translation>Quanto o corte pode se afastar do desenho</translation>
         </message>
         <message>
+            <source>How far the jaws stand out of the chuck's face</source>
+            <translation>Quanto as castanhas sobressaem da face da placa</translation>
+        </message>
+        <message>
             <source>How far the kerf of a way through the scrap stays from every part</source>
             <translation>Quanto o corte de um caminho pelo retalho se afasta de cada peça</translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation>Quanto a trajetória pode desviar de uma elipse ou B-spline; retas e arcos são exatos</translation>
+        </message>
+        <message>
+            <source>How far the raw end lies before the finished end face, where Z is 0</source>
+            <translation>Quanto a ponta bruta fica antes da face acabada, onde Z é 0</translation>
         </message>
         <message>
             <source>How far the tool's rim runs over the edge</source>
@@ -1012,6 +1264,10 @@
             <translation>Quantas voltas a rosca tem</translation>
         </message>
         <message>
+            <source>How many; 0: those of the designation</source>
+            <translation>Quantas; 0: as da designação</translation>
+        </message>
+        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation>Quanto da borda pode estar no material no máximo, como ângulo</translation>
         </message>
@@ -1060,6 +1316,10 @@
             <translation>Como a ferramenta desce</translation>
         </message>
         <message>
+            <source>How the tool is fed in from pass to pass</source>
+            <translation>Como a ferramenta entra de passe em passe</translation>
+        </message>
+        <message>
             <source>How the tool leaves the contour</source>
             <translation>Como a ferramenta deixa o contorno</translation>
         </message>
@@ -1074,6 +1334,10 @@
         <message>
             <source>Identity</source>
             <translation>Identidade</translation>
+        </message>
+        <message>
+            <source>In front of the thread, where the tool catches up with the spindle</source>
+            <translation>Antes da rosca, onde a ferramenta se sincroniza com o fuso</translation>
         </message>
         <message>
             <source>In holes, or round bosses</source>
@@ -1092,12 +1356,56 @@
             <translation>Em passes inteiros</translation>
         </message>
         <message>
+            <source>Infeed</source>
+            <translation>Penetração</translation>
+        </message>
+        <message>
+            <source>Infeed Angle</source>
+            <translation>Ângulo de penetração</translation>
+        </message>
+        <message>
+            <source>Infeed angle</source>
+            <translation>Ângulo de penetração</translation>
+        </message>
+        <message>
+            <source>Insert</source>
+            <translation>Pastilha</translation>
+        </message>
+        <message>
+            <source>Inside</source>
+            <translation>Por dentro</translation>
+        </message>
+        <message>
+            <source>Into which a boring bar fits; 0: not given</source>
+            <translation>No qual cabe a haste de mandrilar; 0: não dado</translation>
+        </message>
+        <message>
             <source>Invert</source>
             <translation>Inverter</translation>
         </message>
         <message>
+            <source>Its code of ISO 1832, such as CNMG 120408; empty: by its angles</source>
+            <translation>Seu código ISO 1832, como CNMG 120408; vazio: pelos ângulos</translation>
+        </message>
+        <message>
+            <source>Its designation: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</source>
+            <translation>Sua designação: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation>Seu nome nos arquivos de trabalho</translation>
+        </message>
+        <message>
+            <source>Jaw Diameter</source>
+            <translation>Diâmetro das castanhas</translation>
+        </message>
+        <message>
+            <source>Jaw diameter</source>
+            <translation>Diâmetro das castanhas</translation>
+        </message>
+        <message>
+            <source>Jaws</source>
+            <translation>Castanhas</translation>
         </message>
         <message>
             <source>Job</source>
@@ -1152,6 +1460,10 @@
             <translation>Última penetração de trabalho</translation>
         </message>
         <message>
+            <source>Lead Angle</source>
+            <translation>Ângulo de posição</translation>
+        </message>
+        <message>
             <source>Lead In Angle</source>
             <translation>Ângulo de entrada</translation>
         </message>
@@ -1204,12 +1516,28 @@
             <translation>Entradas e saídas usuais do processo, ou com valores próprios</translation>
         </message>
         <message>
+            <source>Least Feed</source>
+            <translation>Menor avanço</translation>
+        </message>
+        <message>
             <source>Least chip load</source>
             <translation>Avanço por dente mínimo</translation>
         </message>
         <message>
+            <source>Least feed</source>
+            <translation>Menor avanço</translation>
+        </message>
+        <message>
             <source>Leave</source>
             <translation>Sai</translation>
+        </message>
+        <message>
+            <source>Left on the face for another operation</source>
+            <translation>Deixado na face para outra operação</translation>
+        </message>
+        <message>
+            <source>Left on the profile, normal to it, for another operation</source>
+            <translation>Deixado no perfil, normal a ele, para outra operação</translation>
         </message>
         <message>
             <source>Length</source>
@@ -1412,6 +1740,26 @@
             <translation>Método</translation>
         </message>
         <message>
+            <source>Metres a minute at the bar's diameter; 0: not given</source>
+            <translation>Metros por minuto no diâmetro da barra; 0: não dada</translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle, where the operation says nothing</source>
+            <translation>Milímetros por volta do fuso, onde a operação não diz nada</translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle; 0: the tool's</source>
+            <translation>Milímetros por volta do fuso; 0: o da ferramenta</translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert needs; 0: not given</source>
+            <translation>Milímetros por volta de que a pastilha precisa; 0: não dado</translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert takes; 0: not given</source>
+            <translation>Milímetros por volta que a pastilha suporta; 0: não dado</translation>
+        </message>
+        <message>
             <source>Minor</source>
             <translation>Menor</translation>
         </message>
@@ -1424,8 +1772,20 @@
             <translation>Diâmetro menor usado</translation>
         </message>
         <message>
+            <source>Most Turns</source>
+            <translation>Rotação máxima</translation>
+        </message>
+        <message>
             <source>Narrow arcs</source>
             <translation>Arcos estreitos</translation>
+        </message>
+        <message>
+            <source>Nose Radius</source>
+            <translation>Raio da ponta</translation>
+        </message>
+        <message>
+            <source>Nose radius</source>
+            <translation>Raio da ponta</translation>
         </message>
         <message>
             <source>Note</source>
@@ -1448,12 +1808,24 @@
             <translation>De uma fresa toroidal; 0: não informado</translation>
         </message>
         <message>
+            <source>Of a drill</source>
+            <translation>De uma broca</translation>
+        </message>
+        <message>
+            <source>Of a parting blade</source>
+            <translation>De um bedame</translation>
+        </message>
+        <message>
             <source>Of a sheet of material</source>
             <translation>De uma chapa de material</translation>
         </message>
         <message>
             <source>Of its curves</source>
             <translation>De suas curvas</translation>
+        </message>
+        <message>
+            <source>Of its tip</source>
+            <translation>Da sua ponta</translation>
         </message>
         <message>
             <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
@@ -1476,6 +1848,10 @@
             <translation>Dos cantos vistos de cima; 0: tão redondos quanto a ferramenta</translation>
         </message>
         <message>
+            <source>Of the cutting edges; 0: that of the insert</source>
+            <translation>Das arestas de corte; 0: o da pastilha</translation>
+        </message>
+        <message>
             <source>Of the font, such as Bold; empty: the regular one</source>
             <translation>Da fonte, como Bold; vazio: o normal</translation>
         </message>
@@ -1486,6 +1862,14 @@
         <message>
             <source>Of the sheets</source>
             <translation>Das chapas</translation>
+        </message>
+        <message>
+            <source>Of the tip below the finished end face</source>
+            <translation>Da ponta abaixo da face acabada</translation>
+        </message>
+        <message>
+            <source>Of the tip; 0: that of the insert</source>
+            <translation>Da ponta; 0: o da pastilha</translation>
         </message>
         <message>
             <source>Of the written program</source>
@@ -1520,8 +1904,16 @@
             <translation>Ordem</translation>
         </message>
         <message>
+            <source>Orientation</source>
+            <translation>Orientação</translation>
+        </message>
+        <message>
             <source>Other corner</source>
             <translation>Outro canto</translation>
+        </message>
+        <message>
+            <source>Out of the hole for each peck, or to break the chip</source>
+            <translation>Para fora do furo a cada bicada, ou para quebrar o cavaco</translation>
         </message>
         <message>
             <source>Outlines of the clamps</source>
@@ -1562,6 +1954,10 @@
         <message>
             <source>Passes</source>
             <translation>Passes</translation>
+        </message>
+        <message>
+            <source>Passes along</source>
+            <translation>Passes ao longo de</translation>
         </message>
         <message>
             <source>Path</source>
@@ -1772,6 +2168,14 @@
             <translation>Programas</translation>
         </message>
         <message>
+            <source>Pull Out</source>
+            <translation>Saída</translation>
+        </message>
+        <message>
+            <source>Pull-out</source>
+            <translation>Saída</translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation>Passes radiais</translation>
         </message>
@@ -1822,6 +2226,10 @@
         <message>
             <source>Ramp length</source>
             <translation>Comprimento da rampa</translation>
+        </message>
+        <message>
+            <source>Reach</source>
+            <translation>Alcance</translation>
         </message>
         <message>
             <source>Read</source>
@@ -1892,6 +2300,10 @@
             <translation>Recuar até</translation>
         </message>
         <message>
+            <source>Right hand cuts towards the chuck</source>
+            <translation>A direita corta em direção à placa</translation>
+        </message>
+        <message>
             <source>Rotation</source>
             <translation>Rotação</translation>
         </message>
@@ -1922,6 +2334,10 @@
         <message>
             <source>Setting</source>
             <translation>Composição</translation>
+        </message>
+        <message>
+            <source>Shank</source>
+            <translation>Cabo</translation>
         </message>
         <message>
             <source>Shape</source>
@@ -2032,6 +2448,14 @@
             <translation>Áreas menores, em mm², são deixadas de fora; 0: quatro pixels</translation>
         </message>
         <message>
+            <source>Smallest Bore</source>
+            <translation>Menor furo</translation>
+        </message>
+        <message>
+            <source>Smallest bore</source>
+            <translation>Menor furo</translation>
+        </message>
+        <message>
             <source>Smooth</source>
             <translation>Suavizar</translation>
         </message>
@@ -2068,6 +2492,14 @@
             <translation>Rotação usada</translation>
         </message>
         <message>
+            <source>Spindle turns a minute; 0: by the surface speed</source>
+            <translation>Voltas do fuso por minuto; 0: pela velocidade de corte</translation>
+        </message>
+        <message>
+            <source>Spindle turns a minute; 0: that of the tool</source>
+            <translation>Voltas do fuso por minuto; 0: as da ferramenta</translation>
+        </message>
+        <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
         </message>
@@ -2092,12 +2524,36 @@
             <translation>Tempo do ponto</translation>
         </message>
         <message>
+            <source>Spring Passes</source>
+            <translation>Passes de mola</translation>
+        </message>
+        <message>
+            <source>Spring passes</source>
+            <translation>Passes de mola</translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation>Iniciar</translation>
         </message>
         <message>
+            <source>Start By</source>
+            <translation>Início por</translation>
+        </message>
+        <message>
+            <source>Start X</source>
+            <translation>X inicial</translation>
+        </message>
+        <message>
+            <source>Start Z</source>
+            <translation>Z inicial</translation>
+        </message>
+        <message>
             <source>Start angle</source>
             <translation>Ângulo inicial</translation>
+        </message>
+        <message>
+            <source>Starts</source>
+            <translation>Entradas</translation>
         </message>
         <message>
             <source>State</source>
@@ -2164,6 +2620,14 @@
             <translation>Estilo</translation>
         </message>
         <message>
+            <source>Surface Speed</source>
+            <translation>Velocidade de corte</translation>
+        </message>
+        <message>
+            <source>Surface speed</source>
+            <translation>Velocidade de corte</translation>
+        </message>
+        <message>
             <source>Sweep</source>
             <translation>Abertura</translation>
         </message>
@@ -2194,6 +2658,14 @@
         <message>
             <source>Tabs Width</source>
             <translation>Largura das pontes</translation>
+        </message>
+        <message>
+            <source>Tailstock</source>
+            <translation>Contraponto</translation>
+        </message>
+        <message>
+            <source>Tailstock By</source>
+            <translation>Contraponto por</translation>
         </message>
         <message>
             <source>Taper</source>
@@ -2248,20 +2720,68 @@
             <translation>A profundidade máxima de um passe, ap</translation>
         </message>
         <message>
+            <source>The depth of one pass at most, on the radius</source>
+            <translation>A profundidade de um passe, no máximo, no raio</translation>
+        </message>
+        <message>
             <source>The depth of one pass at most; 0: all at once</source>
             <translation>A profundidade máxima de um passe; 0: tudo de uma vez</translation>
+        </message>
+        <message>
+            <source>The depth of the first pass</source>
+            <translation>A profundidade do primeiro passe</translation>
         </message>
         <message>
             <source>The diameter at the other end of the flanks; 0: that of a metric thread</source>
             <translation>O diâmetro na outra ponta dos flancos; 0: o de uma rosca métrica</translation>
         </message>
         <message>
+            <source>The diameter at which the cut ends; 0: over the axis</source>
+            <translation>O diâmetro em que o corte termina; 0: além do eixo</translation>
+        </message>
+        <message>
+            <source>The diameter of a boring bar; 0: not given</source>
+            <translation>O diâmetro de uma haste de mandrilar; 0: não dado</translation>
+        </message>
+        <message>
+            <source>The diameter of the centre hole; 0: not given</source>
+            <translation>O diâmetro do furo de centro; 0: não dado</translation>
+        </message>
+        <message>
+            <source>The diameter of the chuck</source>
+            <translation>O diâmetro da placa</translation>
+        </message>
+        <message>
             <source>The diameter of the cutter</source>
             <translation>O diâmetro da fresa</translation>
         </message>
         <message>
+            <source>The diameter of the floor</source>
+            <translation>O diâmetro do fundo</translation>
+        </message>
+        <message>
+            <source>The diameter of the raw bar</source>
+            <translation>O diâmetro da barra bruta</translation>
+        </message>
+        <message>
+            <source>The diameter of the surface into which it is cut</source>
+            <translation>O diâmetro da superfície em que é cortado</translation>
+        </message>
+        <message>
+            <source>The diameter of the tailstock's centre</source>
+            <translation>O diâmetro do contraponto</translation>
+        </message>
+        <message>
             <source>The diameter of the tool holder; 0: not given</source>
             <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The direction of the back edge away from the nose, from Z+ towards X+</source>
+            <translation>A direção da aresta traseira a partir da ponta, de Z+ para X+</translation>
+        </message>
+        <message>
+            <source>The direction of the front edge away from the nose, from Z+ towards X+</source>
+            <translation>A direção da aresta dianteira a partir da ponta, de Z+ para X+</translation>
         </message>
         <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
@@ -2300,6 +2820,10 @@
             <translation>O avanço do programa</translation>
         </message>
         <message>
+            <source>The feed of the program, in millimetres a turn</source>
+            <translation>O avanço do programa, em milímetros por volta</translation>
+        </message>
+        <message>
             <source>The file of a cut chart of your own; empty: the chart that ships</source>
             <translation>O arquivo de uma tabela de corte própria; vazio: a tabela que acompanha o programa</translation>
         </message>
@@ -2320,8 +2844,20 @@
             <translation>Os grupos em volta dele no arquivo</translation>
         </message>
         <message>
+            <source>The half profile that it turns: a sketch, edges, a solid or points</source>
+            <translation>O meio perfil que torneia: um esboço, arestas, um sólido ou pontos</translation>
+        </message>
+        <message>
+            <source>The half profile whose diameter the thread has; without it the usual fit</source>
+            <translation>O meio perfil cujo diâmetro a rosca tem; sem ele o ajuste usual</translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation>A altura dos rápidos entre furos: G98 ou G99</translation>
+        </message>
+        <message>
+            <source>The inner diameter of a tube</source>
+            <translation>O diâmetro interno de um tubo</translation>
         </message>
         <message>
             <source>The job whose program is shown</source>
@@ -2362,6 +2898,18 @@
         <message>
             <source>The length of the lead's line</source>
             <translation>O comprimento da linha de entrada ou saída</translation>
+        </message>
+        <message>
+            <source>The length over which the tool comes out at the end</source>
+            <translation>O comprimento em que a ferramenta sai no fim</translation>
+        </message>
+        <message>
+            <source>The length that the part keeps, below zero</source>
+            <translation>O comprimento que fica na peça, abaixo de zero</translation>
+        </message>
+        <message>
+            <source>The limit of the surface speed; 0: none</source>
+            <translation>O limite da velocidade de corte; 0: nenhum</translation>
         </message>
         <message>
             <source>The middle of a mill's end that does not cut; 0: it cuts over its centre</source>
@@ -2524,6 +3072,14 @@
             <translation>A ferramenta que a executa</translation>
         </message>
         <message>
+            <source>The tool's X when the program begins, as radius or diameter</source>
+            <translation>O X da ferramenta quando o programa começa, como raio ou diâmetro</translation>
+        </message>
+        <message>
+            <source>The tool's Z when the program begins</source>
+            <translation>O Z da ferramenta quando o programa começa</translation>
+        </message>
+        <message>
             <source>The tools that operations may choose from</source>
             <translation>As ferramentas que as operações podem escolher</translation>
         </message>
@@ -2534,6 +3090,10 @@
         <message>
             <source>The torch above the sheet while it pierces; 0: that of the chart</source>
             <translation>A tocha acima da chapa enquanto perfura; 0: a altura da tabela</translation>
+        </message>
+        <message>
+            <source>The wall towards the chuck</source>
+            <translation>A parede do lado da placa</translation>
         </message>
         <message>
             <source>The width of one pass at most, ae</source>
@@ -2560,6 +3120,10 @@
             <translation>A largura do corte; 0: a da tabela de corte ou da ferramenta</translation>
         </message>
         <message>
+            <source>The width of the holder; 0: not given</source>
+            <translation>A largura do suporte; 0: não dada</translation>
+        </message>
+        <message>
             <source>The width of the picture; 0: as its resolution says</source>
             <translation>A largura da imagem; 0: como sua resolução diz</translation>
         </message>
@@ -2578,6 +3142,10 @@
         <message>
             <source>Thickness</source>
             <translation>Espessura</translation>
+        </message>
+        <message>
+            <source>Thread</source>
+            <translation>Rosquear</translation>
         </message>
         <message>
             <source>Threshold</source>
@@ -2616,8 +3184,24 @@
             <translation>Diâmetro da ponta</translation>
         </message>
         <message>
+            <source>Tip orientation</source>
+            <translation>Orientação da ponta</translation>
+        </message>
+        <message>
             <source>To</source>
             <translation>Até</translation>
+        </message>
+        <message>
+            <source>To Diameter</source>
+            <translation>Até o diâmetro</translation>
+        </message>
+        <message>
+            <source>To Z</source>
+            <translation>Até Z</translation>
+        </message>
+        <message>
+            <source>To diameter</source>
+            <translation>Até o diâmetro</translation>
         </message>
         <message>
             <source>Tolerance</source>
@@ -2642,6 +3226,14 @@
         <message>
             <source>Tools without feeds or speed use its table</source>
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
+        </message>
+        <message>
+            <source>Top Diameter</source>
+            <translation>Diâmetro do topo</translation>
+        </message>
+        <message>
+            <source>Top diameter</source>
+            <translation>Diâmetro do topo</translation>
         </message>
         <message>
             <source>Torch off before</source>
@@ -2672,6 +3264,10 @@
             <translation>Inalcançável</translation>
         </message>
         <message>
+            <source>Wall Z</source>
+            <translation>Z da parede</translation>
+        </message>
+        <message>
             <source>Wall feed</source>
             <translation>Avanço na parede</translation>
         </message>
@@ -2688,12 +3284,28 @@
             <translation>O que se escreve; várias linhas ficam uma abaixo da outra</translation>
         </message>
         <message>
+            <source>What the X of a row is</source>
+            <translation>O que é o X de uma linha</translation>
+        </message>
+        <message>
             <source>What the height is measured of</source>
             <translation>De que se mede a altura</translation>
         </message>
         <message>
+            <source>What the insert takes, on the radius; 0: not given</source>
+            <translation>O que a pastilha suporta, no raio; 0: não dado</translation>
+        </message>
+        <message>
             <source>What the letters stand on</source>
             <translation>Sobre o que as letras ficam</translation>
+        </message>
+        <message>
+            <source>What the program's X is</source>
+            <translation>O que é o X do programa</translation>
+        </message>
+        <message>
+            <source>What the tool is for</source>
+            <translation>Para que serve a ferramenta</translation>
         </message>
         <message>
             <source>What was found in it</source>
@@ -2708,6 +3320,10 @@
             <translation>O que foi lido</translation>
         </message>
         <message>
+            <source>Where it begins; 0: that of the profile or the usual fit</source>
+            <translation>Onde começa; 0: o do perfil ou do ajuste usual</translation>
+        </message>
+        <message>
             <source>Where rapids travel across the work</source>
             <translation>Altura dos movimentos rápidos sobre a peça</translation>
         </message>
@@ -2718,6 +3334,10 @@
         <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation>Onde os desenhos são gravados; vazio: ao lado do documento</translation>
+        </message>
+        <message>
+            <source>Where the face lies when it is cut</source>
+            <translation>Onde fica a face depois de cortada</translation>
         </message>
         <message>
             <source>Where the line begins</source>
@@ -2740,6 +3360,18 @@
             <translation>Onde o texto fica em torno de seu zero, ou em sua linha</translation>
         </message>
         <message>
+            <source>Where the thread begins</source>
+            <translation>Onde a rosca começa</translation>
+        </message>
+        <message>
+            <source>Where the tool is when the program begins: clear of the raw end, or given</source>
+            <translation>Onde está a ferramenta quando o programa começa: livre da ponta bruta, ou dado</translation>
+        </message>
+        <message>
+            <source>Whether a centre holds the raw end</source>
+            <translation>Se um contraponto segura a ponta bruta</translation>
+        </message>
+        <message>
             <source>Whether a laser's power follows its speed (M4)</source>
             <translation>Se a potência do laser acompanha a velocidade (M4)</translation>
         </message>
@@ -2760,6 +3392,10 @@
             <translation>Se os cantos internos são abertos para que um canto vivo caiba</translation>
         </message>
         <message>
+            <source>Whether it works in a bore</source>
+            <translation>Se trabalha dentro de um furo</translation>
+        </message>
+        <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
             <translation>Se a profundidade é a da ponta ou a do diâmetro pleno</translation>
         </message>
@@ -2778,6 +3414,14 @@
         <message>
             <source>Whether the program holds it</source>
             <translation>Se o programa a contém</translation>
+        </message>
+        <message>
+            <source>Whether their directions are those of insert and holder, or given by two angles</source>
+            <translation>Se as direções são as da pastilha e do suporte, ou dadas por dois ângulos</translation>
+        </message>
+        <message>
+            <source>Whether threads are written as G76, where the controller has it</source>
+            <translation>Se as roscas são escritas como G76, onde o controlador o tem</translation>
         </message>
         <message>
             <source>Why it cannot be made; empty when it can</source>
@@ -2812,8 +3456,28 @@
             <translation>Zero-peça</translation>
         </message>
         <message>
+            <source>X is</source>
+            <translation>X é</translation>
+        </message>
+        <message>
+            <source>X; Z of each point from the end face to the chuck; then chamfer, fillet, cw or ccw</source>
+            <translation>X; Z de cada ponto, da face até a placa; depois chamfer, fillet, cw ou ccw</translation>
+        </message>
+        <message>
+            <source>XIs</source>
+            <translation>X é</translation>
+        </message>
+        <message>
+            <source>Z of the cut</source>
+            <translation>Z do corte</translation>
+        </message>
+        <message>
             <source>Z of the faces or of the section</source>
             <translation>Z das faces ou da seção</translation>
+        </message>
+        <message>
+            <source>Z of the wall</source>
+            <translation>Z da parede</translation>
         </message>
         <message>
             <source>Zero's place</source>
@@ -2873,6 +3537,18 @@
         <message>
             <source>'{0}' is too large</source>
             <translation>'{0}' é grande demais</translation>
+        </message>
+        <message>
+            <source>0: one degree less than the flank</source>
+            <translation>0: um grau menos que o flanco</translation>
+        </message>
+        <message>
+            <source>1 to 9, where the tip lies; 0: by kind and hand</source>
+            <translation>1 a 9, onde fica a ponta; 0: conforme o tipo e a mão</translation>
+        </message>
+        <message>
+            <source>1: equal depths; 2: equal areas of chip</source>
+            <translation>1: profundidades iguais; 2: áreas de cavaco iguais</translation>
         </message>
         <message>
             <source>45° blade</source>
@@ -3271,6 +3947,10 @@
             <translation>Ao longo de Y, mm</translation>
         </message>
         <message>
+            <source>Along Z, along X or along the profile</source>
+            <translation>Ao longo de Z, de X ou do perfil</translation>
+        </message>
+        <message>
             <source>Along Z, mm</source>
             <translation>Ao longo de Z, mm</translation>
         </message>
@@ -3319,6 +3999,10 @@
             <translation>Aplicar</translation>
         </message>
         <message>
+            <source>Approach</source>
+            <translation>Aproximação</translation>
+        </message>
+        <message>
             <source>Arc slot</source>
             <translation>Rasgo em arco</translation>
         </message>
@@ -3343,6 +4027,10 @@
             <translation>Arcos dentro de uma tolerância, ou os pontos publicados</translation>
         </message>
         <message>
+            <source>Around the jaws; 0: no jaws stand out</source>
+            <translation>Em volta das castanhas; 0: nenhuma castanha sobressai</translation>
+        </message>
+        <message>
             <source>Arrow</source>
             <translation>Seta</translation>
         </message>
@@ -3365,6 +4053,10 @@
         <message>
             <source>At the end of {0}</source>
             <translation>No fim de {0}</translation>
+        </message>
+        <message>
+            <source>At the full depth, besides the last one</source>
+            <translation>Na profundidade total, além do último</translation>
         </message>
         <message>
             <source>Attached again to the controller at {0}.</source>
@@ -3395,6 +4087,10 @@
             <translation>De volta ao longo do corte</translation>
         </message>
         <message>
+            <source>Back edge</source>
+            <translation>Aresta traseira</translation>
+        </message>
+        <message>
             <source>Back from here to the begin</source>
             <translation>Voltar daqui ao início</translation>
         </message>
@@ -3407,8 +4103,16 @@
             <translation>O que o eixo perde em uma inversão, como diz o perfil; os movimentos enviados compensam</translation>
         </message>
         <message>
+            <source>Bar</source>
+            <translation>Haste</translation>
+        </message>
+        <message>
             <source>Base</source>
             <translation>Base</translation>
+        </message>
+        <message>
+            <source>Before zero</source>
+            <translation>Antes do zero</translation>
         </message>
         <message>
             <source>Before {0}</source>
@@ -3443,8 +4147,20 @@
             <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
+            <source>Between the flanks of a threading tool; 0: that of the insert</source>
+            <translation>Entre os flancos de uma ferramenta de roscar; 0: o da pastilha</translation>
+        </message>
+        <message>
+            <source>Between the front edge and the feed, given by the holder</source>
+            <translation>Entre a aresta dianteira e o avanço, dado pelo suporte</translation>
+        </message>
+        <message>
             <source>Between the two sides of a V-bit or engraver; 0: not given</source>
             <translation>Entre os dois lados de uma fresa em V ou de gravação; 0: não informado</translation>
+        </message>
+        <message>
+            <source>Between the two sides of a drill's point</source>
+            <translation>Entre os dois lados da ponta de uma broca</translation>
         </message>
         <message>
             <source>Between the two sides of a drill's point; 0: not given</source>
@@ -3499,6 +4215,10 @@
             <translation>Que fração o torno pode ser mais lento que seus tempos de passo publicados</translation>
         </message>
         <message>
+            <source>By which the radius grows towards the chuck</source>
+            <translation>Pelo qual o raio cresce em direção à placa</translation>
+        </message>
+        <message>
             <source>Bytes ahead at most</source>
             <translation>Bytes à frente no máximo</translation>
         </message>
@@ -3509,6 +4229,10 @@
         <message>
             <source>Cancel</source>
             <translation>Cancelar</translation>
+        </message>
+        <message>
+            <source>Canned cycles</source>
+            <translation>Ciclos fixos</translation>
         </message>
         <message>
             <source>Centre</source>
@@ -3593,6 +4317,10 @@
         <message>
             <source>Choose one here</source>
             <translation>Escolha aqui</translation>
+        </message>
+        <message>
+            <source>Chuck</source>
+            <translation>Placa</translation>
         </message>
         <message>
             <source>Circle</source>
@@ -3791,6 +4519,10 @@
             <translation>Meia-lua</translation>
         </message>
         <message>
+            <source>Crest diameter</source>
+            <translation>Diâmetro da crista</translation>
+        </message>
+        <message>
             <source>Cross</source>
             <translation>Cruz</translation>
         </message>
@@ -3879,6 +4611,10 @@
             <translation>Graus, anti-horário</translation>
         </message>
         <message>
+            <source>Degression</source>
+            <translation>Degressão</translation>
+        </message>
+        <message>
             <source>Delete a point</source>
             <translation>Excluir um ponto</translation>
         </message>
@@ -3893,6 +4629,10 @@
         <message>
             <source>Depth</source>
             <translation>Profundidade</translation>
+        </message>
+        <message>
+            <source>Depth of cut ap</source>
+            <translation>Profundidade de corte ap</translation>
         </message>
         <message>
             <source>Depth to</source>
@@ -3995,6 +4735,10 @@
             <translation>Distância entre os furos</translation>
         </message>
         <message>
+            <source>Distances</source>
+            <translation>Distâncias</translation>
+        </message>
+        <message>
             <source>Does</source>
             <translation>Faz</translation>
         </message>
@@ -4091,8 +4835,16 @@
             <translation>Antes</translation>
         </message>
         <message>
+            <source>Edge length</source>
+            <translation>Comprimento da aresta</translation>
+        </message>
+        <message>
             <source>Edge margin</source>
             <translation>Margem da borda</translation>
+        </message>
+        <message>
+            <source>Edges</source>
+            <translation>Arestas</translation>
         </message>
         <message>
             <source>Edit</source>
@@ -4165,6 +4917,10 @@
         <message>
             <source>Enter from</source>
             <translation>Entra por</translation>
+        </message>
+        <message>
+            <source>Entering angle</source>
+            <translation>Ângulo de posição</translation>
         </message>
         <message>
             <source>Entry</source>
@@ -4243,12 +4999,20 @@
             <translation>Família</translation>
         </message>
         <message>
+            <source>Fastest spindle</source>
+            <translation>Fuso mais rápido</translation>
+        </message>
+        <message>
             <source>Faults</source>
             <translation>Falhas</translation>
         </message>
         <message>
             <source>Feed</source>
             <translation>Avanço</translation>
+        </message>
+        <message>
+            <source>Feed and speed</source>
+            <translation>Avanço e rotação</translation>
         </message>
         <message>
             <source>Feed at corners</source>
@@ -4261,6 +5025,10 @@
         <message>
             <source>Feed of holes</source>
             <translation>Avanço dos furos</translation>
+        </message>
+        <message>
+            <source>Feed per turn</source>
+            <translation>Avanço por volta</translation>
         </message>
         <message>
             <source>Feed without F</source>
@@ -4319,6 +5087,10 @@
             <translation>Primeiro canto</translation>
         </message>
         <message>
+            <source>First depth</source>
+            <translation>Primeira profundidade</translation>
+        </message>
+        <message>
             <source>First eye</source>
             <translation>Primeiro olhal</translation>
         </message>
@@ -4359,6 +5131,10 @@
             <translation>Jorro</translation>
         </message>
         <message>
+            <source>Floor diameter</source>
+            <translation>Diâmetro do fundo</translation>
+        </message>
+        <message>
             <source>Flute length</source>
             <translation>Comprimento de corte</translation>
         </message>
@@ -4393,6 +5169,10 @@
         <message>
             <source>For a mill that does not cut over its centre; 0: 10°</source>
             <translation>Para uma fresa sem corte no centro; 0: 10°</translation>
+        </message>
+        <message>
+            <source>For the forces; empty: they are not figured</source>
+            <translation>Para as forças; vazio: não são calculadas</translation>
         </message>
         <message>
             <source>Force</source>
@@ -4455,6 +5235,10 @@
             <translation>De X às linhas do padrão</translation>
         </message>
         <message>
+            <source>From Z</source>
+            <translation>De Z</translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation>De uma peça à borda da chapa</translation>
         </message>
@@ -4499,12 +5283,20 @@
             <translation>De uma volta da rosca à seguinte</translation>
         </message>
         <message>
+            <source>From that wall towards the end face</source>
+            <translation>Daquela parede em direção à face da ponta</translation>
+        </message>
+        <message>
             <source>From the base to the eye's middle</source>
             <translation>Da base ao centro do olhal</translation>
         </message>
         <message>
             <source>From the bore's bottom to the keyway's</source>
             <translation>Do fundo do furo ao fundo do rasgo</translation>
+        </message>
+        <message>
+            <source>From the chuck's face to the finished end face</source>
+            <translation>Da face da placa até a face acabada</translation>
         </message>
         <message>
             <source>From the circle's middle to the slot's end</source>
@@ -4535,8 +5327,20 @@
             <translation>Da ponta ao porta-ferramenta; 0: não informado</translation>
         </message>
         <message>
+            <source>From the work zero (G90), or from the point before (G91)</source>
+            <translation>Do zero da peça (G90), ou do ponto anterior (G91)</translation>
+        </message>
+        <message>
+            <source>From there towards the chuck</source>
+            <translation>Dali em direção à placa</translation>
+        </message>
+        <message>
             <source>From tooth to tooth</source>
             <translation>De dente a dente</translation>
+        </message>
+        <message>
+            <source>Front edge</source>
+            <translation>Aresta dianteira</translation>
         </message>
         <message>
             <source>Full steps a turn</source>
@@ -4643,8 +5447,16 @@
             <translation>Avanço por dente máximo</translation>
         </message>
         <message>
+            <source>Greatest depth of cut</source>
+            <translation>Maior profundidade de corte</translation>
+        </message>
+        <message>
             <source>Greatest engagement</source>
             <translation>Ângulo de contato máximo</translation>
+        </message>
+        <message>
+            <source>Greatest feed</source>
+            <translation>Maior avanço</translation>
         </message>
         <message>
             <source>Grey values are from the chart; typed values replace them</source>
@@ -4815,6 +5627,14 @@
             <translation>Quanto desce cada bicada</translation>
         </message>
         <message>
+            <source>How deep one peck goes; 0: in one go</source>
+            <translation>Quanto entra cada bicada; 0: de uma vez</translation>
+        </message>
+        <message>
+            <source>How far a bar or drill gets along Z, a blade along X; 0: not given</source>
+            <translation>Até onde chega uma haste ou broca em Z, um bedame em X; 0: não dado</translation>
+        </message>
+        <message>
             <source>How far a closed cut is followed with power beyond its begin</source>
             <translation>Quanto um corte fechado segue com potência além do início</translation>
         </message>
@@ -4859,8 +5679,16 @@
             <translation>A que distância do fim o corte segue sem potência</translation>
         </message>
         <message>
+            <source>How far before the material a rapid ends</source>
+            <translation>Quanto antes do material termina um movimento rápido</translation>
+        </message>
+        <message>
             <source>How far behind the pierce the power is full</source>
             <translation>A que distância da perfuração a potência é plena</translation>
+        </message>
+        <message>
+            <source>How far chords may leave an arc, where the controller has no arcs</source>
+            <translation>Quanto as cordas podem se afastar de um arco, onde o controlador não tem arcos</translation>
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
@@ -4907,12 +5735,20 @@
             <translation>Quanto o corte pode se afastar do desenho</translation>
         </message>
         <message>
+            <source>How far the jaws stand out of the chuck's face</source>
+            <translation>Quanto as castanhas sobressaem da face da placa</translation>
+        </message>
+        <message>
             <source>How far the kerf of a way through the scrap stays from every part</source>
             <translation>Quanto o corte de um caminho pelo retalho se afasta de cada peça</translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
             <translation>Quanto a trajetória pode desviar de uma elipse ou B-spline; retas e arcos são exatos</translation>
+        </message>
+        <message>
+            <source>How far the raw end lies before the finished end face, where Z is 0</source>
+            <translation>Quanto a ponta bruta fica antes da face acabada, onde Z é 0</translation>
         </message>
         <message>
             <source>How far the tool's rim runs over the edge</source>
@@ -5039,6 +5875,10 @@
             <translation>Quantas voltas a rosca tem</translation>
         </message>
         <message>
+            <source>How many; 0: those of the designation</source>
+            <translation>Quantas; 0: as da designação</translation>
+        </message>
+        <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
             <translation>Quanto da borda pode estar no material no máximo, como ângulo</translation>
         </message>
@@ -5087,6 +5927,10 @@
             <translation>Como a ferramenta desce</translation>
         </message>
         <message>
+            <source>How the tool is fed in from pass to pass</source>
+            <translation>Como a ferramenta entra de passe em passe</translation>
+        </message>
+        <message>
             <source>How the tool leaves the contour</source>
             <translation>Como a ferramenta deixa o contorno</translation>
         </message>
@@ -5119,6 +5963,10 @@
             <translation>Importar…</translation>
         </message>
         <message>
+            <source>In front of the thread, where the tool catches up with the spindle</source>
+            <translation>Antes da rosca, onde a ferramenta se sincroniza com o fuso</translation>
+        </message>
+        <message>
             <source>In holes, or round bosses</source>
             <translation>Em furos ou em volta de ressaltos</translation>
         </message>
@@ -5147,6 +5995,14 @@
             <translation>Inércia</translation>
         </message>
         <message>
+            <source>Infeed</source>
+            <translation>Penetração</translation>
+        </message>
+        <message>
+            <source>Infeed angle</source>
+            <translation>Ângulo de penetração</translation>
+        </message>
+        <message>
             <source>Inner diameter</source>
             <translation>Diâmetro interno</translation>
         </message>
@@ -5159,6 +6015,14 @@
             <translation>Entradas ligadas: {0}</translation>
         </message>
         <message>
+            <source>Insert</source>
+            <translation>Pastilha</translation>
+        </message>
+        <message>
+            <source>Inside</source>
+            <translation>Por dentro</translation>
+        </message>
+        <message>
             <source>Inside of the hook</source>
             <translation>Interior do gancho</translation>
         </message>
@@ -5169,6 +6033,10 @@
         <message>
             <source>Interval of pulses</source>
             <translation>Intervalo dos pulsos</translation>
+        </message>
+        <message>
+            <source>Into which a boring bar fits; 0: not given</source>
+            <translation>No qual cabe a haste de mandrilar; 0: não dado</translation>
         </message>
         <message>
             <source>Is the work zero set on the stock, and is the path free?</source>
@@ -5191,12 +6059,28 @@
             <translation>É a sua cópia de um perfil fornecido, e toma o lugar dele.</translation>
         </message>
         <message>
+            <source>Its code of ISO 1832, such as CNMG 120408; empty: by its angles</source>
+            <translation>Seu código ISO 1832, como CNMG 120408; vazio: pelos ângulos</translation>
+        </message>
+        <message>
+            <source>Its designation: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</source>
+            <translation>Sua designação: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
             <translation>Sua linguagem e sua ligação: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</translation>
         </message>
         <message>
             <source>Its name in job files</source>
             <translation>Seu nome nos arquivos de trabalho</translation>
+        </message>
+        <message>
+            <source>Jaw diameter</source>
+            <translation>Diâmetro das castanhas</translation>
+        </message>
+        <message>
+            <source>Jaws</source>
+            <translation>Castanhas</translation>
         </message>
         <message>
             <source>Jerk</source>
@@ -5335,6 +6219,10 @@
             <translation>Avanço por dente mínimo</translation>
         </message>
         <message>
+            <source>Least feed</source>
+            <translation>Menor avanço</translation>
+        </message>
+        <message>
             <source>Least wait</source>
             <translation>Menor espera</translation>
         </message>
@@ -5345,6 +6233,14 @@
         <message>
             <source>Leave out of the program</source>
             <translation>Deixar fora do programa</translation>
+        </message>
+        <message>
+            <source>Left on the face for another operation</source>
+            <translation>Deixado na face para outra operação</translation>
+        </message>
+        <message>
+            <source>Left on the profile, normal to it, for another operation</source>
+            <translation>Deixado no perfil, normal a ele, para outra operação</translation>
         </message>
         <message>
             <source>Left out, it follows from the drive</source>
@@ -5615,8 +6511,28 @@
             <translation>Método</translation>
         </message>
         <message>
+            <source>Metres a minute at the bar's diameter; 0: not given</source>
+            <translation>Metros por minuto no diâmetro da barra; 0: não dada</translation>
+        </message>
+        <message>
             <source>Microsteps</source>
             <translation>Micropassos</translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle, where the operation says nothing</source>
+            <translation>Milímetros por volta do fuso, onde a operação não diz nada</translation>
+        </message>
+        <message>
+            <source>Millimetres a turn of the spindle; 0: the tool's</source>
+            <translation>Milímetros por volta do fuso; 0: o da ferramenta</translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert needs; 0: not given</source>
+            <translation>Milímetros por volta de que a pastilha precisa; 0: não dado</translation>
+        </message>
+        <message>
+            <source>Millimetres a turn that the insert takes; 0: not given</source>
+            <translation>Milímetros por volta que a pastilha suporta; 0: não dado</translation>
         </message>
         <message>
             <source>Milling</source>
@@ -5787,6 +6703,10 @@
             <translation>Nenhum lugar foi escolhido ainda.</translation>
         </message>
         <message>
+            <source>Nose radius</source>
+            <translation>Raio da ponta</translation>
+        </message>
+        <message>
             <source>Not certain</source>
             <translation>Incerto</translation>
         </message>
@@ -5847,12 +6767,24 @@
             <translation>De uma fresa toroidal; 0: não informado</translation>
         </message>
         <message>
+            <source>Of a drill</source>
+            <translation>De uma broca</translation>
+        </message>
+        <message>
+            <source>Of a parting blade</source>
+            <translation>De um bedame</translation>
+        </message>
+        <message>
             <source>Of a sheet of material</source>
             <translation>De uma chapa de material</translation>
         </message>
         <message>
             <source>Of its curves</source>
             <translation>De suas curvas</translation>
+        </message>
+        <message>
+            <source>Of its tip</source>
+            <translation>Da sua ponta</translation>
         </message>
         <message>
             <source>Of one wall that a jet or wire leaves, against the vertical; 0: none</source>
@@ -5875,6 +6807,10 @@
             <translation>Dos cantos vistos de cima; 0: tão redondos quanto a ferramenta</translation>
         </message>
         <message>
+            <source>Of the cutting edges; 0: that of the insert</source>
+            <translation>Das arestas de corte; 0: o da pastilha</translation>
+        </message>
+        <message>
             <source>Of the driver, in a full step</source>
             <translation>Do driver, em um passo inteiro</translation>
         </message>
@@ -5893,6 +6829,14 @@
         <message>
             <source>Of the sheets</source>
             <translation>Das chapas</translation>
+        </message>
+        <message>
+            <source>Of the tip below the finished end face</source>
+            <translation>Da ponta abaixo da face acabada</translation>
+        </message>
+        <message>
+            <source>Of the tip; 0: that of the insert</source>
+            <translation>Da ponta; 0: o da pastilha</translation>
         </message>
         <message>
             <source>Of the written program</source>
@@ -5991,6 +6935,10 @@
             <translation>Outra diagonal (0: nenhuma)</translation>
         </message>
         <message>
+            <source>Out of the hole for each peck, or to break the chip</source>
+            <translation>Para fora do furo a cada bicada, ou para quebrar o cavaco</translation>
+        </message>
+        <message>
             <source>Outer diameter</source>
             <translation>Diâmetro externo</translation>
         </message>
@@ -6081,6 +7029,10 @@
         <message>
             <source>Passes</source>
             <translation>Passes</translation>
+        </message>
+        <message>
+            <source>Passes along</source>
+            <translation>Passes ao longo de</translation>
         </message>
         <message>
             <source>Path</source>
@@ -6311,6 +7263,10 @@
             <translation>Programas ({0})</translation>
         </message>
         <message>
+            <source>Pull-out</source>
+            <translation>Saída</translation>
+        </message>
+        <message>
             <source>Pulley's teeth</source>
             <translation>Dentes da polia</translation>
         </message>
@@ -6437,6 +7393,10 @@
         <message>
             <source>Ratchet wheel</source>
             <translation>Roda de catraca</translation>
+        </message>
+        <message>
+            <source>Reach</source>
+            <translation>Alcance</translation>
         </message>
         <message>
             <source>Reached</source>
@@ -6635,6 +7595,10 @@
             <translation>Reverter</translation>
         </message>
         <message>
+            <source>Right hand cuts towards the chuck</source>
+            <translation>A direita corta em direção à placa</translation>
+        </message>
+        <message>
             <source>Ring</source>
             <translation>Anel</translation>
         </message>
@@ -6807,6 +7771,10 @@
             <translation>Composição</translation>
         </message>
         <message>
+            <source>Shank</source>
+            <translation>Cabo</translation>
+        </message>
+        <message>
             <source>Shape</source>
             <translation>Forma</translation>
         </message>
@@ -6947,6 +7915,10 @@
             <translation>Áreas menores, em mm², são deixadas de fora; 0: quatro pixels</translation>
         </message>
         <message>
+            <source>Smallest bore</source>
+            <translation>Menor furo</translation>
+        </message>
+        <message>
             <source>Smooth</source>
             <translation>Suavizar</translation>
         </message>
@@ -6991,6 +7963,14 @@
             <translation>Fuso e relés</translation>
         </message>
         <message>
+            <source>Spindle turns a minute; 0: by the surface speed</source>
+            <translation>Voltas do fuso por minuto; 0: pela velocidade de corte</translation>
+        </message>
+        <message>
+            <source>Spindle turns a minute; 0: that of the tool</source>
+            <translation>Voltas do fuso por minuto; 0: as da ferramenta</translation>
+        </message>
+        <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
             <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
         </message>
@@ -7001,6 +7981,10 @@
         <message>
             <source>Spot time</source>
             <translation>Tempo do ponto</translation>
+        </message>
+        <message>
+            <source>Spring passes</source>
+            <translation>Passes de mola</translation>
         </message>
         <message>
             <source>Square</source>
@@ -7023,6 +8007,14 @@
             <translation>Iniciar</translation>
         </message>
         <message>
+            <source>Start X</source>
+            <translation>X inicial</translation>
+        </message>
+        <message>
+            <source>Start Z</source>
+            <translation>Z inicial</translation>
+        </message>
+        <message>
             <source>Start angle</source>
             <translation>Ângulo inicial</translation>
         </message>
@@ -7033,6 +8025,10 @@
         <message>
             <source>Starting</source>
             <translation>Iniciando</translation>
+        </message>
+        <message>
+            <source>Starts</source>
+            <translation>Entradas</translation>
         </message>
         <message>
             <source>State</source>
@@ -7115,6 +8111,10 @@
             <translation>Estilo</translation>
         </message>
         <message>
+            <source>Surface speed</source>
+            <translation>Velocidade de corte</translation>
+        </message>
+        <message>
             <source>Sweep</source>
             <translation>Abertura</translation>
         </message>
@@ -7149,6 +8149,10 @@
         <message>
             <source>Tag</source>
             <translation>Etiqueta</translation>
+        </message>
+        <message>
+            <source>Tailstock</source>
+            <translation>Contraponto</translation>
         </message>
         <message>
             <source>Take into the program</source>
@@ -7295,20 +8299,68 @@
             <translation>A profundidade máxima de um passe, ap</translation>
         </message>
         <message>
+            <source>The depth of one pass at most, on the radius</source>
+            <translation>A profundidade de um passe, no máximo, no raio</translation>
+        </message>
+        <message>
             <source>The depth of one pass at most; 0: all at once</source>
             <translation>A profundidade máxima de um passe; 0: tudo de uma vez</translation>
+        </message>
+        <message>
+            <source>The depth of the first pass</source>
+            <translation>A profundidade do primeiro passe</translation>
         </message>
         <message>
             <source>The diameter at the other end of the flanks; 0: that of a metric thread</source>
             <translation>O diâmetro na outra ponta dos flancos; 0: o de uma rosca métrica</translation>
         </message>
         <message>
+            <source>The diameter at which the cut ends; 0: over the axis</source>
+            <translation>O diâmetro em que o corte termina; 0: além do eixo</translation>
+        </message>
+        <message>
+            <source>The diameter of a boring bar; 0: not given</source>
+            <translation>O diâmetro de uma haste de mandrilar; 0: não dado</translation>
+        </message>
+        <message>
+            <source>The diameter of the centre hole; 0: not given</source>
+            <translation>O diâmetro do furo de centro; 0: não dado</translation>
+        </message>
+        <message>
+            <source>The diameter of the chuck</source>
+            <translation>O diâmetro da placa</translation>
+        </message>
+        <message>
             <source>The diameter of the cutter</source>
             <translation>O diâmetro da fresa</translation>
         </message>
         <message>
+            <source>The diameter of the floor</source>
+            <translation>O diâmetro do fundo</translation>
+        </message>
+        <message>
+            <source>The diameter of the raw bar</source>
+            <translation>O diâmetro da barra bruta</translation>
+        </message>
+        <message>
+            <source>The diameter of the surface into which it is cut</source>
+            <translation>O diâmetro da superfície em que é cortado</translation>
+        </message>
+        <message>
+            <source>The diameter of the tailstock's centre</source>
+            <translation>O diâmetro do contraponto</translation>
+        </message>
+        <message>
             <source>The diameter of the tool holder; 0: not given</source>
             <translation>O diâmetro do que segura a ferramenta; 0: não informado</translation>
+        </message>
+        <message>
+            <source>The direction of the back edge away from the nose, from Z+ towards X+</source>
+            <translation>A direção da aresta traseira a partir da ponta, de Z+ para X+</translation>
+        </message>
+        <message>
+            <source>The direction of the front edge away from the nose, from Z+ towards X+</source>
+            <translation>A direção da aresta dianteira a partir da ponta, de Z+ para X+</translation>
         </message>
         <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
@@ -7351,6 +8403,10 @@
             <translation>O avanço do programa</translation>
         </message>
         <message>
+            <source>The feed of the program, in millimetres a turn</source>
+            <translation>O avanço do programa, em milímetros por volta</translation>
+        </message>
+        <message>
             <source>The file has a new layout: its comments are not in it.</source>
             <translation>O arquivo tem nova disposição: os comentários não estão nele.</translation>
         </message>
@@ -7379,8 +8435,20 @@
             <translation>Os grupos em volta dele no arquivo</translation>
         </message>
         <message>
+            <source>The half profile that it turns: a sketch, edges, a solid or points</source>
+            <translation>O meio perfil que torneia: um esboço, arestas, um sólido ou pontos</translation>
+        </message>
+        <message>
+            <source>The half profile whose diameter the thread has; without it the usual fit</source>
+            <translation>O meio perfil cujo diâmetro a rosca tem; sem ele o ajuste usual</translation>
+        </message>
+        <message>
             <source>The height of the rapids between holes: G98 or G99</source>
             <translation>A altura dos rápidos entre furos: G98 ou G99</translation>
+        </message>
+        <message>
+            <source>The inner diameter of a tube</source>
+            <translation>O diâmetro interno de um tubo</translation>
         </message>
         <message>
             <source>The job continues without FreeCAD; the controller's panel shows it when it is opened again.</source>
@@ -7443,8 +8511,20 @@
             <translation>O comprimento da linha de entrada ou saída</translation>
         </message>
         <message>
+            <source>The length over which the tool comes out at the end</source>
+            <translation>O comprimento em que a ferramenta sai no fim</translation>
+        </message>
+        <message>
+            <source>The length that the part keeps, below zero</source>
+            <translation>O comprimento que fica na peça, abaixo de zero</translation>
+        </message>
+        <message>
             <source>The letters start at the machine's position.</source>
             <translation>As letras começam onde a máquina está.</translation>
+        </message>
+        <message>
+            <source>The limit of the surface speed; 0: none</source>
+            <translation>O limite da velocidade de corte; 0: nenhum</translation>
         </message>
         <message>
             <source>The link to the controller is being started.</source>
@@ -7775,6 +8855,14 @@
             <translation>A ferramenta que a executa</translation>
         </message>
         <message>
+            <source>The tool's X when the program begins, as radius or diameter</source>
+            <translation>O X da ferramenta quando o programa começa, como raio ou diâmetro</translation>
+        </message>
+        <message>
+            <source>The tool's Z when the program begins</source>
+            <translation>O Z da ferramenta quando o programa começa</translation>
+        </message>
+        <message>
             <source>The tools that operations may choose from</source>
             <translation>As ferramentas que as operações podem escolher</translation>
         </message>
@@ -7789,6 +8877,10 @@
         <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
             <translation>As esperas entre passos a partir do repouso, em ms, nenhuma maior que a anterior</translation>
+        </message>
+        <message>
+            <source>The wall towards the chuck</source>
+            <translation>A parede do lado da placa</translation>
         </message>
         <message>
             <source>The width of one pass at most, ae</source>
@@ -7813,6 +8905,10 @@
         <message>
             <source>The width of the cut; 0: that of the cut chart or the tool</source>
             <translation>A largura do corte; 0: a da tabela de corte ou da ferramenta</translation>
+        </message>
+        <message>
+            <source>The width of the holder; 0: not given</source>
+            <translation>A largura do suporte; 0: não dada</translation>
         </message>
         <message>
             <source>The width of the picture; 0: as its resolution says</source>
@@ -7923,8 +9019,20 @@
             <translation>Diâmetro da ponta</translation>
         </message>
         <message>
+            <source>Tip orientation</source>
+            <translation>Orientação da ponta</translation>
+        </message>
+        <message>
             <source>To</source>
             <translation>Até</translation>
+        </message>
+        <message>
+            <source>To Z</source>
+            <translation>Até Z</translation>
+        </message>
+        <message>
+            <source>To diameter</source>
+            <translation>Até o diâmetro</translation>
         </message>
         <message>
             <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
@@ -7995,6 +9103,10 @@
             <translation>Topo</translation>
         </message>
         <message>
+            <source>Top diameter</source>
+            <translation>Diâmetro do topo</translation>
+        </message>
+        <message>
             <source>Torch off before</source>
             <translation>Desliga antes</translation>
         </message>
@@ -8037,6 +9149,10 @@
         <message>
             <source>Triangular plate</source>
             <translation>Chapa triangular</translation>
+        </message>
+        <message>
+            <source>Turning</source>
+            <translation>Torneamento</translation>
         </message>
         <message>
             <source>Turns</source>
@@ -8151,12 +9267,28 @@
             <translation>O que se escreve; várias linhas ficam uma abaixo da outra</translation>
         </message>
         <message>
+            <source>What the X of a row is</source>
+            <translation>O que é o X de uma linha</translation>
+        </message>
+        <message>
             <source>What the height is measured of</source>
             <translation>De que se mede a altura</translation>
         </message>
         <message>
+            <source>What the insert takes, on the radius; 0: not given</source>
+            <translation>O que a pastilha suporta, no raio; 0: não dado</translation>
+        </message>
+        <message>
             <source>What the letters stand on</source>
             <translation>Sobre o que as letras ficam</translation>
+        </message>
+        <message>
+            <source>What the program's X is</source>
+            <translation>O que é o X do programa</translation>
+        </message>
+        <message>
+            <source>What the tool is for</source>
+            <translation>Para que serve a ferramenta</translation>
         </message>
         <message>
             <source>What was found in it</source>
@@ -8171,6 +9303,10 @@
             <translation>O que foi lido</translation>
         </message>
         <message>
+            <source>Where it begins; 0: that of the profile or the usual fit</source>
+            <translation>Onde começa; 0: o do perfil ou do ajuste usual</translation>
+        </message>
+        <message>
             <source>Where rapids travel across the work</source>
             <translation>Altura dos movimentos rápidos sobre a peça</translation>
         </message>
@@ -8181,6 +9317,10 @@
         <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation>Onde os desenhos são gravados; vazio: ao lado do documento</translation>
+        </message>
+        <message>
+            <source>Where the face lies when it is cut</source>
+            <translation>Onde fica a face depois de cortada</translation>
         </message>
         <message>
             <source>Where the line begins</source>
@@ -8203,6 +9343,18 @@
             <translation>Onde o texto fica em torno de seu zero, ou em sua linha</translation>
         </message>
         <message>
+            <source>Where the thread begins</source>
+            <translation>Onde a rosca começa</translation>
+        </message>
+        <message>
+            <source>Where the tool is when the program begins: clear of the raw end, or given</source>
+            <translation>Onde está a ferramenta quando o programa começa: livre da ponta bruta, ou dado</translation>
+        </message>
+        <message>
+            <source>Whether a centre holds the raw end</source>
+            <translation>Se um contraponto segura a ponta bruta</translation>
+        </message>
+        <message>
             <source>Whether a laser's power follows its speed (M4)</source>
             <translation>Se a potência do laser acompanha a velocidade (M4)</translation>
         </message>
@@ -8223,6 +9375,10 @@
             <translation>Se os cantos internos são abertos para que um canto vivo caiba</translation>
         </message>
         <message>
+            <source>Whether it works in a bore</source>
+            <translation>Se trabalha dentro de um furo</translation>
+        </message>
+        <message>
             <source>Whether the depth is that of the point or of the full diameter</source>
             <translation>Se a profundidade é a da ponta ou a do diâmetro pleno</translation>
         </message>
@@ -8241,6 +9397,14 @@
         <message>
             <source>Whether the program holds it</source>
             <translation>Se o programa a contém</translation>
+        </message>
+        <message>
+            <source>Whether their directions are those of insert and holder, or given by two angles</source>
+            <translation>Se as direções são as da pastilha e do suporte, ou dadas por dois ângulos</translation>
+        </message>
+        <message>
+            <source>Whether threads are written as G76, where the controller has it</source>
+            <translation>Se as roscas são escritas como G76, onde o controlador o tem</translation>
         </message>
         <message>
             <source>While pressed</source>
@@ -8335,6 +9499,10 @@
             <translation>Escrevendo o relatório…</translation>
         </message>
         <message>
+            <source>X is</source>
+            <translation>X é</translation>
+        </message>
+        <message>
             <source>X times</source>
             <translation>X vezes</translation>
         </message>
@@ -8355,6 +9523,10 @@
             <translation>X; Y em {0}, um furo por linha</translation>
         </message>
         <message>
+            <source>X; Z of each point from the end face to the chuck; then chamfer, fillet, cw or ccw</source>
+            <translation>X; Z de cada ponto, da face até a placa; depois chamfer, fillet, cw ou ccw</translation>
+        </message>
+        <message>
             <source>XPS foam</source>
             <translation>espuma XPS</translation>
         </message>
@@ -8367,8 +9539,16 @@
             <translation>Y, passos</translation>
         </message>
         <message>
+            <source>Z of the cut</source>
+            <translation>Z do corte</translation>
+        </message>
+        <message>
             <source>Z of the faces or of the section</source>
             <translation>Z das faces ou da seção</translation>
+        </message>
+        <message>
+            <source>Z of the wall</source>
+            <translation>Z da parede</translation>
         </message>
         <message>
             <source>Z times</source>
@@ -8407,6 +9587,10 @@
             <translation>absoluto</translation>
         </message>
         <message>
+            <source>absolute (G90)</source>
+            <translation>absolutas (G90)</translation>
+        </message>
+        <message>
             <source>acrylic, cast</source>
             <translation>acrílico fundido</translation>
         </message>
@@ -8427,8 +9611,28 @@
             <translation>todas salientes por igual</translation>
         </message>
         <message>
+            <source>along X (as G72)</source>
+            <translation>ao longo de X (como G72)</translation>
+        </message>
+        <message>
+            <source>along Z (as G71)</source>
+            <translation>ao longo de Z (como G71)</translation>
+        </message>
+        <message>
+            <source>along the flank</source>
+            <translation>pelo flanco</translation>
+        </message>
+        <message>
+            <source>along the profile (as G73)</source>
+            <translation>ao longo do perfil (como G73)</translation>
+        </message>
+        <message>
             <source>along the walls</source>
             <translation>paralelo</translation>
+        </message>
+        <message>
+            <source>alternating flanks</source>
+            <translation>flancos alternados</translation>
         </message>
         <message>
             <source>aluminium</source>
@@ -8563,8 +9767,16 @@
             <translation>fresa de topo esférico</translation>
         </message>
         <message>
+            <source>bar</source>
+            <translation>barra</translation>
+        </message>
+        <message>
             <source>bolt circle</source>
             <translation>em círculo</translation>
+        </message>
+        <message>
+            <source>boring</source>
+            <translation>mandrilar</translation>
         </message>
         <message>
             <source>bounded engagement</source>
@@ -8593,6 +9805,10 @@
         <message>
             <source>by numbers</source>
             <translation>por números</translation>
+        </message>
+        <message>
+            <source>by two angles</source>
+            <translation>por dois ângulos</translation>
         </message>
         <message>
             <source>calls a subprogram</source>
@@ -8685,6 +9901,10 @@
         <message>
             <source>depth of a peck</source>
             <translation>profundidade de uma bicada</translation>
+        </message>
+        <message>
+            <source>diameter</source>
+            <translation>diâmetro</translation>
         </message>
         <message>
             <source>digital differential analyser</source>
@@ -8861,6 +10081,10 @@
         <message>
             <source>incremental</source>
             <translation>incremental</translation>
+        </message>
+        <message>
+            <source>incremental (G91)</source>
+            <translation>incrementais (G91)</translation>
         </message>
         <message>
             <source>input</source>
@@ -9059,6 +10283,10 @@
             <translation>de um desenho</translation>
         </message>
         <message>
+            <source>of the insert</source>
+            <translation>da pastilha</translation>
+        </message>
+        <message>
             <source>off</source>
             <translation>desligado</translation>
         </message>
@@ -9089,6 +10317,10 @@
         <message>
             <source>our planner</source>
             <translation>nosso planejador</translation>
+        </message>
+        <message>
+            <source>out of the hole</source>
+            <translation>para fora do furo</translation>
         </message>
         <message>
             <source>outline</source>
@@ -9129,6 +10361,10 @@
         <message>
             <source>paper</source>
             <translation>papel</translation>
+        </message>
+        <message>
+            <source>parting and grooving</source>
+            <translation>sangrar e cortar</translation>
         </message>
         <message>
             <source>pause</source>
@@ -9213,6 +10449,14 @@
         <message>
             <source>quadratic spline</source>
             <translation>spline quadrática</translation>
+        </message>
+        <message>
+            <source>radial</source>
+            <translation>radial</translation>
+        </message>
+        <message>
+            <source>radius</source>
+            <translation>raio</translation>
         </message>
         <message>
             <source>radius, or where a canned cycle begins</source>
@@ -9407,6 +10651,10 @@
             <translation>esta linha não é executada</translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation>roscar</translation>
+        </message>
+        <message>
             <source>time, number or turns, as the code has it</source>
             <translation>tempo, número ou voltas, conforme o código</translation>
         </message>
@@ -9415,12 +10663,24 @@
             <translation>titânio</translation>
         </message>
         <message>
+            <source>to break the chip</source>
+            <translation>para quebrar o cavaco</translation>
+        </message>
+        <message>
             <source>to the nearest edge</source>
             <translation>pela borda mais próxima</translation>
         </message>
         <message>
             <source>tool {0}</source>
             <translation>ferramenta {0}</translation>
+        </message>
+        <message>
+            <source>tube</source>
+            <translation>tubo</translation>
+        </message>
+        <message>
+            <source>turning outside</source>
+            <translation>tornear por fora</translation>
         </message>
         <message>
             <source>usual</source>
@@ -9710,12 +10970,20 @@
             <translation>'{designation}' não é a designação de uma rosca</translation>
         </message>
         <message>
+            <source>'{drawing}' has more than one solid</source>
+            <translation>'{drawing}' tem mais de um sólido</translation>
+        </message>
+        <message>
             <source>'{drawing}' holds no lines that can be followed</source>
             <translation>'{drawing}' não contém linhas que possam ser seguidas</translation>
         </message>
         <message>
             <source>'{drawing}' is a solid</source>
             <translation>'{drawing}' é um sólido</translation>
+        </message>
+        <message>
+            <source>'{drawing}' is no profile by points</source>
+            <translation>'{drawing}' não é um perfil por pontos</translation>
         </message>
         <message>
             <source>'{drawing}' is one more drawing beside '{used}', and only one gives the shape</source>
@@ -9742,12 +11010,28 @@
             <translation>'{key}' não pode ser {value!r}</translation>
         </message>
         <message>
+            <source>'{label}' does not lie in a plane through the lathe's axis</source>
+            <translation>'{label}' não está em um plano que passa pelo eixo do torno</translation>
+        </message>
+        <message>
+            <source>'{label}' has a hollow that no tool can enter</source>
+            <translation>'{label}' tem um vazio interno em que nenhuma ferramenta entra</translation>
+        </message>
+        <message>
             <source>'{label}' is drawn where '{other}' is, and counts once</source>
             <translation>'{label}' está desenhado onde está '{other}' e conta uma só vez</translation>
         </message>
         <message>
+            <source>'{label}' is no solid of revolution</source>
+            <translation>'{label}' não é um sólido de revolução</translation>
+        </message>
+        <message>
             <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
             <translation>'{line}' não é um bloco que só comuta, como M8, M3S9000 ou M64P0</translation>
+        </message>
+        <message>
+            <source>'{line}' is no row of a profile</source>
+            <translation>'{line}' não é uma linha de um perfil</translation>
         </message>
         <message>
             <source>'{name}' is no name for a machine profile</source>
@@ -9768,6 +11052,10 @@
         <message>
             <source>'{out}' is drawn where '{kept}' is, and counts once</source>
             <translation>'{out}' está desenhado onde está '{kept}' e conta uma só vez</translation>
+        </message>
+        <message>
+            <source>'{part}' in '{line}' says nothing of a corner or an arc</source>
+            <translation>'{part}' em '{line}' não diz nada de um canto nem de um arco</translation>
         </message>
         <message>
             <source>'{path}' is no tool file that is known</source>
@@ -10914,6 +12202,14 @@
             <translation>uma broca anda de lado dentro do material</translation>
         </message>
         <message>
+            <source>a face of '{label}' does not run round the axis</source>
+            <translation>uma face de '{label}' não contorna o eixo</translation>
+        </message>
+        <message>
+            <source>a face's normal passes the axis by {passed:.4g} mm</source>
+            <translation>a normal de uma face passa a {passed:.4g} mm do eixo</translation>
+        </message>
+        <message>
             <source>a fault of the program: {kind}: {error}</source>
             <translation>uma falha do programa: {kind}: {error}</translation>
         </message>
@@ -11246,8 +12542,20 @@
             <translation>um processo nosso tem a porta de uma máquina, mas seu arquivo {path} não pode ser lido: {error}</translation>
         </message>
         <message>
+            <source>a profile is made of edges</source>
+            <translation>um perfil é feito de arestas</translation>
+        </message>
+        <message>
+            <source>a profile must be one chain of lines</source>
+            <translation>um perfil deve ser uma única cadeia de linhas</translation>
+        </message>
+        <message>
             <source>a profile needs points or dxf, one of them</source>
             <translation>um perfil precisa de points ou dxf, um dos dois</translation>
+        </message>
+        <message>
+            <source>a profile needs two points or more</source>
+            <translation>um perfil precisa de dois pontos ou mais</translation>
         </message>
         <message>
             <source>a profile's ends have no corner to cut and its begin no arc</source>
@@ -11938,6 +13246,14 @@
             <translation>em z {0} mm, raio {1} mm</translation>
         </message>
         <message>
+            <source>at {z:.4g} mm along the axis</source>
+            <translation>em {z:.4g} mm ao longo do eixo</translation>
+        </message>
+        <message>
+            <source>at {z:.4g} mm along the axis, radius {r:.4g} mm</source>
+            <translation>em {z:.4g} mm ao longo do eixo, raio {r:.4g} mm</translation>
+        </message>
+        <message>
             <source>attach to it again</source>
             <translation>ligue-se a ela de novo</translation>
         </message>
@@ -12330,6 +13646,10 @@
             <translation>escolha um esboço, fios fechados ou faces para ela</translation>
         </message>
         <message>
+            <source>choose a sketch, edges, a solid of revolution or points for it</source>
+            <translation>escolha para ela um esboço, arestas, um sólido de revolução ou pontos</translation>
+        </message>
+        <message>
             <source>choose a sketch, wire, B-spline or freehand line for it</source>
             <translation>escolha para ela um esboço, arame, B-spline ou linha à mão livre</translation>
         </message>
@@ -12414,6 +13734,10 @@
             <translation>escolha um deles, ou usine todos com um bolsão</translation>
         </message>
         <message>
+            <source>choose one of them, or join them</source>
+            <translation>escolha um deles ou una-os</translation>
+        </message>
+        <message>
             <source>choose one of: {choices}</source>
             <translation>escolha um destes: {choices}</translation>
         </message>
@@ -12468,6 +13792,10 @@
         <message>
             <source>close it first: cncstepper disconnect</source>
             <translation>feche-a antes: cncstepper disconnect</translation>
+        </message>
+        <message>
+            <source>close it in the drawing</source>
+            <translation>feche-o no desenho</translation>
         </message>
         <message>
             <source>close it or set closed = false</source>
@@ -12916,6 +14244,14 @@
         <message>
             <source>draw it on the XY plane or on one parallel to it</source>
             <translation>desenhe-o no plano XY ou em um paralelo a ele</translation>
+        </message>
+        <message>
+            <source>draw it on the XZ plane, with X as the radius and Z along the axis</source>
+            <translation>desenhe-o no plano XZ, com X como raio e Z ao longo do eixo</translation>
+        </message>
+        <message>
+            <source>draw its half profile</source>
+            <translation>desenhe seu meio perfil</translation>
         </message>
         <message>
             <source>draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers</source>
@@ -13830,6 +15166,10 @@
             <translation>não tem fronteira</translation>
         </message>
         <message>
+            <source>it has no face with an axis</source>
+            <translation>não tem nenhuma face com eixo</translation>
+        </message>
+        <message>
             <source>it has no face {0}</source>
             <translation>não tem a fonte {0}</translation>
         </message>
@@ -14624,6 +15964,10 @@
         <message>
             <source>make Q larger</source>
             <translation>aumente Q</translation>
+        </message>
+        <message>
+            <source>make a profile by points and choose that</source>
+            <translation>faça um perfil por pontos e escolha-o</translation>
         </message>
         <message>
             <source>make a profile of your own from it: cncstepper machine new NAME --from FILE</source>
@@ -15692,6 +17036,10 @@
         <message>
             <source>peck_mm {peck_mm:g} mm</source>
             <translation>peck_mm {peck_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>pick edges only, or the whole object</source>
+            <translation>escolha só arestas, ou o objeto inteiro</translation>
         </message>
         <message>
             <source>pick it again</source>
@@ -16790,8 +18138,16 @@
             <translation>tire o G4, ou desligue a potência com M5 antes dele</translation>
         </message>
         <message>
+            <source>take out the axis and the line at the chuck</source>
+            <translation>retire o eixo e a linha junto à placa</translation>
+        </message>
+        <message>
             <source>take out the inner (</source>
             <translation>retire o ( interno</translation>
+        </message>
+        <message>
+            <source>take out what is not turned (keyways, flats, cross holes), or draw its half profile</source>
+            <translation>retire o que não é torneado (rasgos de chaveta, rebaixos planos, furos transversais) ou desenhe seu meio perfil</translation>
         </message>
         <message>
             <source>take out work_offset</source>
@@ -18590,6 +19946,10 @@
             <translation>o que fica em X{x:.3f} Y{y:.3f} se soltaria antes de ser cortado, em qualquer ordem</translation>
         </message>
         <message>
+            <source>the part has no bore that opens at its front end</source>
+            <translation>a peça não tem furo que se abra na face da frente</translation>
+        </message>
+        <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
             <translation>a peça pode diferir dele por esse tanto: diminua P, ou siga o caminho exato com G61</translation>
         </message>
@@ -18798,6 +20158,10 @@
             <translation>o perfil não tem a chave {key}</translation>
         </message>
         <message>
+            <source>the profile is closed: it has no end at the chuck</source>
+            <translation>o perfil é fechado: não tem extremidade junto à placa</translation>
+        </message>
+        <message>
             <source>the profile is smaller than its allowance</source>
             <translation>o perfil é menor que o seu sobremetal</translation>
         </message>
@@ -18904,6 +20268,10 @@
         <message>
             <source>the program needs more than one tool</source>
             <translation>o programa precisa de mais de uma ferramenta</translation>
+        </message>
+        <message>
+            <source>the program of a lathe cannot be restarted in its middle</source>
+            <translation>o programa de um torno não pode ser reiniciado no meio</translation>
         </message>
         <message>
             <source>the program pauses while the spindle turns</source>
@@ -20202,6 +21570,10 @@
             <translation>a ferramenta {number} não tem forma: seus movimentos não são simulados</translation>
         </message>
         <message>
+            <source>tool {number} is not quite that of its file</source>
+            <translation>a ferramenta {number} não é bem a do seu arquivo</translation>
+        </message>
+        <message>
             <source>tool {number} is unknown, so that its cuts are not checked</source>
             <translation>a ferramenta {number} não é conhecida, por isso o que ela corta não é verificado</translation>
         </message>
@@ -20240,6 +21612,14 @@
         <message>
             <source>try it again</source>
             <translation>tente de novo</translation>
+        </message>
+        <message>
+            <source>turn it round, or take its outside</source>
+            <translation>vire-a ou use o lado de fora</translation>
+        </message>
+        <message>
+            <source>turn the part from its beginning</source>
+            <translation>torneie a peça desde o começo</translation>
         </message>
         <message>
             <source>turn the program instead</source>
@@ -20938,6 +22318,14 @@
             <translation>escreva X e os segundos</translation>
         </message>
         <message>
+            <source>write X; Z of each in a row</source>
+            <translation>escreva X; Z de cada um numa linha</translation>
+        </message>
+        <message>
+            <source>write X; Z, then for example chamfer 1 or ccw radius 7</source>
+            <translation>escreva X; Z, depois por exemplo chamfer 1 ou ccw radius 7</translation>
+        </message>
+        <message>
             <source>write [MATERIAL_NUMBER_n] and below it lines such as: CUT_SPEED = 3850</source>
             <translation>escreva [MATERIAL_NUMBER_n] e abaixo linhas como: CUT_SPEED = 3850</translation>
         </message>
@@ -21028,6 +22416,10 @@
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
             <translation>escreva os dois, como em: NAME = mild-steel 3 mm 45A</translation>
+        </message>
+        <message>
+            <source>write chamfer, fillet, cw radius, ccw radius or cw centre with their numbers</source>
+            <translation>escreva chamfer, fillet, cw radius, ccw radius ou cw centre com seus números</translation>
         </message>
         <message>
             <source>write distance = "absolute"</source>
@@ -21400,6 +22792,10 @@
         <message>
             <source>{asked}; a {other} is used</source>
             <translation>{asked}; usa-se: {other}</translation>
+        </message>
+        <message>
+            <source>{away:.4g} mm beside it</source>
+            <translation>a {away:.4g} mm dele</translation>
         </message>
         <message>
             <source>{away_mm:.3f} mm away</source>
@@ -22098,12 +23494,20 @@
             <translation>{obj} segue um só desenho</translation>
         </message>
         <message>
+            <source>{obj} follows one profile</source>
+            <translation>{obj} segue um só perfil</translation>
+        </message>
+        <message>
             <source>{obj} has no '{unknown}'</source>
             <translation>{obj} não tem '{unknown}'</translation>
         </message>
         <message>
             <source>{obj} has no drawing</source>
             <translation>{obj} não tem desenho</translation>
+        </message>
+        <message>
+            <source>{obj} has no profile</source>
+            <translation>{obj} não tem perfil</translation>
         </message>
         <message>
             <source>{obj} has no tool</source>
@@ -22348,6 +23752,10 @@
         <message>
             <source>{what}, not {value}</source>
             <translation>{what}, não {value}</translation>
+        </message>
+        <message>
+            <source>{why}, at X {x:.4g} Y {y:.4g} Z {z:.4g}</source>
+            <translation>{why}, em X {x:.4g} Y {y:.4g} Z {z:.4g}</translation>
         </message>
         <message>
             <source>{why}. Now {state}</source>

@@ -25,7 +25,7 @@ from CNCStepper.workbench.document.core_job import machine_of
 from CNCStepper.workbench.document.selection import Selected, members, selected_drawings
 from CNCStepper.workbench.features.base import problem_of
 from CNCStepper.workbench.features.catalogue import OPERATIONS
-from CNCStepper.workbench.features.operation import drawings_of
+from CNCStepper.workbench.features.cycle_operation import drawings_of
 
 Point = tuple[float, float]
 

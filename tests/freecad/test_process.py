@@ -23,7 +23,7 @@ from CNCStepper.workbench.document.cut_chart_of_job import best_material, cut_da
 from CNCStepper.workbench.features.base import edit, problem_of, value_of
 from CNCStepper.workbench.features.catalogue import KINDS
 from CNCStepper.workbench.features.cut_values import CUT_VALUES
-from CNCStepper.workbench.features.operation import drawings_of
+from CNCStepper.workbench.features.cycle_operation import drawings_of
 from CNCStepper.workbench.features.sheet_cut import SheetCut
 from CNCStepper.workbench.features.tool import model_of
 from CNCStepper.workbench.services.choice_labels import PROCESS_WORDS, WORDS

@@ -76,9 +76,12 @@ def command(
     from CNCStepper.job.prove import prove, prove_job
 
     if lathe.turns(given):
-        if view or stl or (at_s is not None and line is not None):
-            raise click.UsageError("a turned part is drawn as its half section: leave --view and --stl out")
-        _Turned(program, given, lathe).conclude(out, at_s, line, read_at_mm, json_path)
+        if view or (at_s is not None and line is not None):
+            raise click.UsageError("a turned part is drawn as its half section, at one moment: leave --view out")
+        turned = _Turned(program, given, lathe)
+        if stl:
+            turned.save_stl(stl, at_s, line)
+        turned.conclude(out, at_s, line, read_at_mm, json_path)
     given.check_stock(required=True)
     if read_at_mm:
         raise click.UsageError("--read-at is for a turned part: give --bar")
@@ -142,6 +145,13 @@ class _Turned:
         removed = self._proof.report["removed_volume_mm3"] / 1000
         click.echo(f"{out}: {removed:.1f} cm³ removed in {self._proof.report['time_s']:.1f} s")
         sys.exit(1 if self._proof.refused else 0)
+
+    def save_stl(self, path: Path, at_s: float | None, line: int | None) -> None:
+        """Write the part at a time or line, else at the end, as a mesh."""
+        from CNCStepper.simulation.meshes.turned_mesh import turned_mesh
+
+        part, row = self._verdict.part, self._row(at_s, line)
+        turned_mesh(part.section if row is None else part.at(row)).save_stl(path)
 
     def _row(self, at_s: float | None, line: int | None) -> int | None:
         """Return the last row that is done at a time or with a line, None for the end; -1 before the first."""

@@ -9,10 +9,10 @@ from functools import reduce
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import Place
+from CNCStepper.errors import JobError, Place
 from CNCStepper.gcode.dialects import dialect
 from CNCStepper.job.prove import Proof, prove, with_findings
-from CNCStepper.job.turning.make_turning import TurnedProgram, in_part, placement_of
+from CNCStepper.job.turning.make_turning import TurnedProgram, in_part, make_turning, placement_of
 from CNCStepper.job.turning.report import TurnedVerdict, judge_turning, setup_of
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.machine.profile import Machine
@@ -25,23 +25,35 @@ from CNCStepper.toolpath import Toolpath
 
 @dataclass(frozen=True)
 class TurnedProof:
-    """A program's proof, with the verdict on the part as cut behind it."""
+    """A program's proof, with the verdict on the part as cut behind it.
+
+    path: its moves in the part's coordinates; first_row: its first one in the verdict's moves.
+    """
 
     program: TurnedProgram
     proof: Proof
     verdict: TurnedVerdict
+    path: Toolpath
+    first_row: int
 
 
 def prove_turning(
-    job: TurningJob, machine: Machine, programs: Sequence[TurnedProgram], folder: Path
+    job: TurningJob,
+    machine: Machine,
+    programs: Sequence[TurnedProgram],
+    folder: Path,
+    name: str = "",
+    start: Start | None = None,
 ) -> Iterator[TurnedProof]:
-    """Yield the proof of each program of a job, in their order; `folder` is where their files are."""
+    """Yield the proof of each program of a job, in their order; `folder` is where their files are.
+
+    name: of all of them in findings, "" for their files'. start: of the machine, where it is known.
+    """
     before: list[Toolpath] = []
     done = rows = 0
     for program in programs:
-        file = str(folder / program.file_name)
-        start = Start(tool=program.answers[0].tool) if "T" not in dialect(machine.language()).letters else None
-        proof = prove(program.program, machine, file=file, start=start)
+        file = name or str(folder / program.file_name)
+        proof = prove(program.program, machine, file=file, start=_start(program, machine, start))
         before.append(in_part(proof.toolpath, placement_of(job, machine)))
         done += len(program.answers)
         so_far = job.model_copy(update={"operation": job.operation[:done]})
@@ -49,8 +61,32 @@ def prove_turning(
         found = [*verdict.findings, *_of_answers(program, file)]
         operations = _operations(proof, program, verdict, rows)
         told = replace(proof, report={**proof.report, **verdict.report(rows), "operations": operations})
+        yield TurnedProof(program, with_findings(told, found), verdict, before[-1], rows)
         rows += len(proof.toolpath)
-        yield TurnedProof(program, with_findings(told, found), verdict)
+
+
+def prove_one(job: TurningJob, machine: Machine, text: str, name: str, start: Start | None = None) -> TurnedProof:
+    """Return the proof of a program's text, made by the job or edited, on the part that those before it leave.
+
+    name: of the program, with which it was made. Raises JobError for a text that is none of the programs of a job that
+    has several: which part it would cut is not known.
+    """
+    made = make_turning(job, machine, name)
+    if len(made) == 1:
+        return next(prove_turning(job, machine, [replace(made[0], program=text)], Path(), name, start))
+    last = next((number for number, one in enumerate(made) if one.program == text), None)
+    if last is None:
+        what = "the program is none of the job's parts"
+        raise JobError("not-a-part", what, limit=f"{len(made)} parts", advice="make the program again")
+    *_, proof = prove_turning(job, machine, made[: last + 1], Path(), name, start)
+    return proof
+
+
+def _start(program: TurnedProgram, machine: Machine, start: Start | None) -> Start | None:
+    """Return the start of a program: where its text names no tool, with the one that it is for."""
+    if "T" in dialect(machine.language()).letters:
+        return start
+    return replace(start or Start(), tool=program.answers[0].tool)
 
 
 def whole_report(proofs: Sequence[TurnedProof]) -> dict[str, Any]:

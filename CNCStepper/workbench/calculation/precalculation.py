@@ -14,7 +14,7 @@ from CNCStepper.job.deferred_fitting import Unfitted, on_trial, only_looking
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.calculation.cut_process import Parts, process
 from CNCStepper.workbench.document.operation_order import active_operations
-from CNCStepper.workbench.features.base import FAILED, JOB, edit, entry_of, named, proxy_type
+from CNCStepper.workbench.features.base import FAILED, edit, entry_of, is_job, named, proxy_type
 
 
 @dataclass
@@ -57,7 +57,7 @@ def _look(document: Any, changed: set[str]) -> Look:
 
 def _look_for(obj: Any, look: Look) -> None:
     """Add what making one object calculates; raises the CNCStepperError that refuses it."""
-    if proxy_type(obj) == JOB:
+    if is_job(obj):
         for operation in active_operations(obj):
             if error := look.refusals.get(operation.Name):
                 raise JobError(FAILED, named(operation, error.sentence))

@@ -20,7 +20,7 @@ from CNCStepper.machine.processes import MILLING
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.document.selection import Pair, selected_drawings
-from CNCStepper.workbench.features.operation import Operation as Feature
+from CNCStepper.workbench.features.cycle_operation import CycleOperation as Feature
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.messages import guarded, note

@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.errors import CNCStepperError, JobError, Place, Text
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.features.base import edit
+from CNCStepper.workbench.document.turning_files import export_turning_job, open_turning_job
+from CNCStepper.workbench.features.base import LATHE_JOB, edit, proxy_type
 from CNCStepper.workbench.features.catalogue import operation_class
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
@@ -37,7 +38,10 @@ def export_job(obj: Any, path: str | Path) -> None:
     from CNCStepper.workbench import api
 
     api.require_valid(obj)
-    save_job_file(exported(obj), Path(path))
+    if proxy_type(obj) == LATHE_JOB:
+        export_turning_job(obj, Path(path))
+    else:
+        save_job_file(exported(obj), Path(path))
 
 
 def open_job(document: Any, path: str | Path) -> tuple[Any, list[str]]:
@@ -47,7 +51,11 @@ def open_job(document: Any, path: str | Path) -> tuple[Any, list[str]]:
     """
     packages.require()
     from CNCStepper.job.model import Job
+    from CNCStepper.machine.files.toml_reader import read_toml
+    from CNCStepper.machine.processes import is_turning
 
+    if Path(path).suffix.casefold() == ".toml" and is_turning(read_toml(Path(path))):
+        return open_turning_job(document, Path(path))
     model = Job.load(path)
     job = opened(document, model, Path(path).stem)
     return job, [*model.notes, *differences(job, model)]

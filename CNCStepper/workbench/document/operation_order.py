@@ -11,9 +11,7 @@ from typing import Any
 
 from CNCStepper.errors import JobError, Text
 from CNCStepper.workbench.document.pasted_tools import remove_soon
-from CNCStepper.workbench.features.base import JOB, original_of, proxy_type
-
-TOOL = "CNCStepper_Tool"
+from CNCStepper.workbench.features.base import is_job, is_tool, original_of, proxy_type
 
 
 def is_operation(obj: Any) -> bool:
@@ -30,7 +28,7 @@ def job_of(part: Any) -> Any:
     """Return the job that holds an operation or a tool, None where none does."""
     if part is None:
         return None
-    return next((job for job in part.InList if proxy_type(job) == JOB and part in (*job.Operations, *job.Tools)), None)
+    return next((job for job in part.InList if is_job(job) and part in (*job.Operations, *job.Tools)), None)
 
 
 def move(job: Any, operations: Sequence[Any], beside: Any = None, after: bool = True) -> None:
@@ -88,7 +86,7 @@ def take_in(copy: Any) -> None:
     original = original_of(copy)
     if (original is None and not copy.Proxy.is_copy) or job_of(copy) is not None:
         return
-    job = job_of(original) or _only_job(copy.Document)
+    job = job_of(original) or _only_job(copy)
     if job is None:
         return
     if is_operation(copy):
@@ -96,7 +94,7 @@ def take_in(copy: Any) -> None:
             spare, copy.Tool = copy.Tool, original.Tool  # not the copy of it that FreeCAD makes along
             if spare is not None and spare is not original.Tool:
                 remove_soon(spare)
-        elif proxy_type(copy.Tool) == TOOL and copy.Tool not in job.Tools:
+        elif is_tool(copy.Tool) and copy.Tool not in job.Tools:
             add_tool(job, copy.Tool, None)
         job.Operations = _behind(list(job.Operations), original, copy)
     else:
@@ -119,6 +117,7 @@ def _behind(parts: list[Any], original: Any, copy: Any) -> list[Any]:
     return [*parts[:at], copy, *parts[at:]]
 
 
-def _only_job(document: Any) -> Any:
-    jobs = [obj for obj in document.Objects if proxy_type(obj) == JOB]
+def _only_job(copy: Any) -> Any:
+    """Return the one job of a copy's document that takes its kind, None for none or several."""
+    jobs = [obj for obj in copy.Document.Objects if proxy_type(obj) == copy.Proxy.JOB_TYPE]
     return jobs[0] if len(jobs) == 1 else None

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.features.base import is_job
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
@@ -33,7 +33,7 @@ def _remove(document_name: str, name: str) -> None:
 
     document = FreeCAD.listDocuments().get(document_name)
     tool = document.getObject(name) if document is not None else None
-    if tool is None or any(proxy_type(user) != JOB for user in tool.InList):
+    if tool is None or any(not is_job(user) for user in tool.InList):
         return
     title = tr("Use the tool of the job")
     _titles.add(title)

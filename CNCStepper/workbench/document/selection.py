@@ -9,7 +9,7 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, GeometryError, Text
 from CNCStepper.workbench.features.base import proxy_type
-from CNCStepper.workbench.features.operation import Operation
+from CNCStepper.workbench.features.cycle_operation import CycleOperation
 
 TOLERANCE_MM = 0.01  # in which it is seen whether lines close and which are drawn twice
 Pair = tuple[Any, tuple[str, ...]]
@@ -49,7 +49,7 @@ def members(obj: Any) -> list[Any]:
     return list(found)
 
 
-def selected_drawings(kind: type[Operation], pairs: Iterable[Pair]) -> Selected:
+def selected_drawings(kind: type[CycleOperation], pairs: Iterable[Pair]) -> Selected:
     """Return which drawings an operation of a kind can follow, each with its picked faces and edges, () for all of it.
 
     The order of the pairs does not matter.
@@ -59,17 +59,17 @@ def selected_drawings(kind: type[Operation], pairs: Iterable[Pair]) -> Selected:
     if kind.CLOSED or not (kind.SHAPE or kind.PICKS_LINES):
         used, more = _together(used, kind.CLOSED)
         refusals += more
-    if kind.SHAPE:
+    if kind.SHAPE or kind.ONE_DRAWING:
         refusals += [_one_only(drawing, used[0][0]) for drawing, _ in used[1:]]
         used = used[:1]
     return Selected(tuple(used), tuple(refusals))
 
 
-def _each_alone(kind: type[Operation], pairs: Sequence[Pair]) -> tuple[list[Pair], list[CNCStepperError]]:
+def _each_alone(kind: type[CycleOperation], pairs: Sequence[Pair]) -> tuple[list[Pair], list[CNCStepperError]]:
     used, refusals = [], []
     for drawing, names in pairs:
         try:
-            _require_lines(drawing, names)
+            _require_lines(drawing, names, kind.TAKES_SOLIDS)
             if not kind.CLOSED:
                 kind.look(drawing, names)
             used.append((drawing, names))
@@ -106,7 +106,7 @@ def _together(pairs: list[Pair], closed: bool) -> tuple[list[Pair], list[CNCStep
             return left, [refusals[drawing] for drawing, _ in pairs if drawing in refusals]
 
 
-def _require_lines(drawing: Any, names: tuple[str, ...]) -> None:
+def _require_lines(drawing: Any, names: tuple[str, ...], solids: bool) -> None:
     """Raise GeometryError for what is no drawing, or a solid of which nothing is picked."""
     shape = getattr(drawing, "Shape", None)
     if not drawing.isDerivedFrom("Part::Feature") or shape is None or drawing.isDerivedFrom("Part::Datum"):
@@ -115,7 +115,7 @@ def _require_lines(drawing: Any, names: tuple[str, ...]) -> None:
             Text("'{drawing}' holds no lines that can be followed", drawing=drawing.Label),
             advice="select a sketch, wires, faces or edges",
         )
-    if shape.Solids and not names:
+    if shape.Solids and not (names or solids):
         raise GeometryError(
             "drawing-solid",
             Text("'{drawing}' is a solid", drawing=drawing.Label),

@@ -9,13 +9,12 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.document.selection import members
-from CNCStepper.workbench.features.base import JOB, named, problem_of, proxy_type
+from CNCStepper.workbench.features.base import is_job, is_tool, named, problem_of, proxy_type
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import tr
 
 PREVIEW = "CNCStepper_Preview"
-TOOL = "CNCStepper_Tool"
 PROGRAM = "CNCStepper_Program"
 
 
@@ -37,7 +36,7 @@ def jobs() -> list[Any]:
     """Return all jobs of the active document."""
     if document() is None:
         return []
-    return [obj for obj in document().findObjects("App::FeaturePython") if proxy_type(obj) == JOB]
+    return [obj for obj in document().findObjects("App::FeaturePython") if is_job(obj)]
 
 
 def job() -> Any:
@@ -141,12 +140,12 @@ def solid() -> Any:
 
 def _owners(obj: Any) -> list[Any]:
     """Return the jobs to which an object of ours belongs; a drawing belongs to none."""
-    if proxy_type(obj) == JOB:
+    if is_job(obj):
         return [obj]
     if proxy_type(obj) == PREVIEW:
         return [obj.Job] if obj.Job is not None else []
-    belongs = proxy_type(obj) == TOOL or bool(getattr(getattr(obj, "Proxy", None), "CYCLE", ""))
-    return [other for other in obj.InList if proxy_type(other) == JOB] if belongs else []
+    belongs = is_tool(obj) or bool(getattr(getattr(obj, "Proxy", None), "CYCLE", ""))
+    return [other for other in obj.InList if is_job(other)] if belongs else []
 
 
 def _is_drawing(obj: Any) -> bool:

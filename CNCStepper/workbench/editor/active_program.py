@@ -10,7 +10,7 @@ from collections.abc import Callable
 from typing import Any
 
 from CNCStepper.workbench.document import targets
-from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.features.base import is_job
 from CNCStepper.workbench.proving import prove_program
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.translation import tr
@@ -38,7 +38,7 @@ def why_not() -> str:
     obj = panel.source.obj
     if obj is None:
         return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
-    if proxy_type(obj) == JOB:
+    if is_job(obj):
         return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_program(obj)
     return prove_program.why_not_of(obj)
 

@@ -15,7 +15,7 @@ from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.gcode.syntax.text_format import FileForm
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.editor.reader_client import Language
-from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.features.base import is_job
 from CNCStepper.workbench.features.program import job_behind
 from CNCStepper.workbench.services.translation import tr
 
@@ -114,7 +114,7 @@ class ObjectSource:
         """Where its work zero lies in the document; where it lay, when the object or its job is gone."""
         job = job_behind(self.obj) if self.alive else None
         if job is not None:
-            self._origin_mm = tuple(job.WorkOrigin)
+            self._origin_mm = job.Proxy.origin_mm(job)
         return self._origin_mm
 
     def text(self) -> str:
@@ -149,7 +149,7 @@ class ObjectSource:
     def _kept(self, text: str) -> ObjectSource:
         from CNCStepper.workbench import api
 
-        if proxy_type(self.obj) == JOB:
+        if is_job(self.obj):
             made = api.edit_program(self.obj, text)
             made.Label = tr("{0} (edited)").format(self.obj.Label)
             made.recompute()

@@ -20,6 +20,9 @@ from CNCStepper.workbench.services.jit_guard import without_compiling
 from CNCStepper.workbench.services.translation import later
 
 JOB = "CNCStepper_Job"
+LATHE_JOB = "CNCStepper_LatheJob"
+JOBS = (JOB, LATHE_JOB)
+TOOLS = ("CNCStepper_Tool", "CNCStepper_TurningTool")
 FAILED = "object-failed"  # the code of an error that another object has caused
 STALE = "object-stale"  # and of one that says only that something has to be made again
 HIDDEN = 2  # FreeCAD's mode of a property that its editor does not show
@@ -86,6 +89,7 @@ class Feature:
     Type = ""
     PROPERTIES: tuple[Property, ...] = ()
     WHY_FIXED = ""  # why some of them cannot be typed
+    JOB_TYPE = JOB  # in which jobs it belongs
     refusal: CNCStepperError | None = None  # why the last `make` failed
     is_copy = False  # whether FreeCAD has copied or pasted the object since the document was opened
     original_name = ""  # of the object that it is a copy of, where that is in the same document
@@ -120,6 +124,24 @@ class Feature:
     def given(self, found: dict[str, Any]) -> dict[str, Any]:
         """Return those of an object's values, by key, that the core is to be given."""
         return found
+
+    def counts(self, entry: Property, found: dict[str, Any]) -> bool:
+        """Return whether a property counts with an object's other values, by key."""
+        if not entry.only:
+            return True
+        chooser, choices = entry.only
+        return found.get(chooser) in choices and self.counts(entry_of(self, chooser), found)
+
+    def show_what_counts(self, obj: Any) -> None:
+        """Hide the properties that do not count."""
+        found = self.known(obj)
+        for entry in self.PROPERTIES:
+            if entry.only:
+                obj.setEditorMode(entry.name, 0 if self.counts(entry, found) else HIDDEN)
+
+    def known(self, obj: Any) -> dict[str, Any]:
+        """Return the object's values by key, and what else decides which of them count."""
+        return values(obj)
 
     def check(self, obj: Any) -> None:
         """Raise a CNCStepperError for a property of `obj` that is invalid whatever it depends on."""
@@ -157,7 +179,7 @@ class Feature:
     def _take_back(self, obj: Any, why: str) -> None:
         """Take back the programs that stand on `obj` now, whether FreeCAD recomputes their jobs or not."""
         for job in [obj, *obj.InListRecursive]:
-            if proxy_type(job) == JOB:
+            if is_job(job):
                 job.Proxy.invalidate(job, named(obj, why))
 
     def onDocumentRestored(self, obj: Any) -> None:
@@ -204,6 +226,16 @@ def entry_of(proxy: Feature, key: str) -> Property:
 def proxy_type(obj: Any) -> str:
     """Return which of our document objects `obj` is, as "CNCStepper_Job", or "" for one that is not ours."""
     return getattr(getattr(obj, "Proxy", None), "Type", "")
+
+
+def is_job(obj: Any) -> bool:
+    """Return whether an object is one of our jobs, a lathe's or another machine's."""
+    return proxy_type(obj) in JOBS
+
+
+def is_tool(obj: Any) -> bool:
+    """Return whether an object is one of our tools, a lathe's or a cutter."""
+    return proxy_type(obj) in TOOLS
 
 
 def problem_of(obj: Any) -> str:

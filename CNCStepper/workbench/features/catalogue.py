@@ -7,6 +7,7 @@ from CNCStepper.errors import JobError, Text
 from CNCStepper.workbench.features.bore import Bore
 from CNCStepper.workbench.features.circular_pocket import CircularPocket
 from CNCStepper.workbench.features.contour import Contour
+from CNCStepper.workbench.features.cycle_operation import CycleOperation
 from CNCStepper.workbench.features.drill import Drill
 from CNCStepper.workbench.features.elliptical_pocket import EllipticalPocket
 from CNCStepper.workbench.features.engrave import Engrave
@@ -16,6 +17,7 @@ from CNCStepper.workbench.features.pocket import Pocket
 from CNCStepper.workbench.features.rectangular_pocket import RectangularPocket
 from CNCStepper.workbench.features.sheet_cut import SheetCut
 from CNCStepper.workbench.features.thread import Thread
+from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
 from CNCStepper.workbench.features.wire_cut import WireCut
 
 KINDS: tuple[type[Operation], ...] = (
@@ -35,12 +37,13 @@ KINDS: tuple[type[Operation], ...] = (
 OPERATIONS = {kind.CYCLE: kind for kind in KINDS}
 
 
-def operation_class(cycle: str) -> type[Operation]:
-    """Return the document object's class for a cycle; raises JobError for an unknown name."""
-    if cycle not in OPERATIONS:
+def operation_class(cycle: str) -> type[CycleOperation]:
+    """Return the document object's class for a cycle, a lathe's too; raises JobError for an unknown name."""
+    every: dict[str, type[CycleOperation]] = {**OPERATIONS, **TURNING_OPERATIONS}
+    if cycle not in every:
         raise JobError(
             "cycle-unknown",
             Text("there is no cycle '{cycle}'", cycle=cycle),
-            advice=Text("use one of: {operations}", operations=", ".join(sorted(OPERATIONS))),
+            advice=Text("use one of: {operations}", operations=", ".join(sorted(every))),
         )
-    return OPERATIONS[cycle]
+    return every[cycle]

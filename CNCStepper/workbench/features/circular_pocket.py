@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.cycles.pockets.pocket_parameters import CIRCLE, CircularPocketParameters
 from CNCStepper.errors import GeometryError, Text
 from CNCStepper.workbench.features.base import edit
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
+from CNCStepper.workbench.features.cycle_operation import OPERATION, drawn
+from CNCStepper.workbench.features.operation import Operation, the_drawing
 from CNCStepper.workbench.features.parameters import PASSES, REST, properties_of
 from CNCStepper.workbench.services.translation import later
 

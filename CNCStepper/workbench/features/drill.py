@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from CNCStepper.cycles.holes.hole_parameters import DrillParameters
-from CNCStepper.workbench.features.operation import OPERATION
+from CNCStepper.workbench.features.cycle_operation import OPERATION
 from CNCStepper.workbench.features.parameters import properties_of
 from CNCStepper.workbench.features.places import HOLES, PATTERN, Places
 

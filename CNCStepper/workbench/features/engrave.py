@@ -7,7 +7,8 @@ from typing import Any
 
 from CNCStepper.cycles.contours.contour_parameters import LINES, EngraveParameters
 from CNCStepper.workbench.features.base import DISTANCE, Property, values
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines
+from CNCStepper.workbench.features.cycle_operation import OPERATION, drawn
+from CNCStepper.workbench.features.operation import Operation, drawn_lines
 from CNCStepper.workbench.features.parameters import LEVELS, RESULT, properties_of
 from CNCStepper.workbench.services.translation import later
 

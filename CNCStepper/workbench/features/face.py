@@ -7,7 +7,8 @@ from typing import Any
 
 from CNCStepper.cycles.facing.face_parameters import FaceParameters
 from CNCStepper.workbench.features.base import values
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawings_of, drawn, drawn_lines
+from CNCStepper.workbench.features.cycle_operation import OPERATION, drawings_of, drawn
+from CNCStepper.workbench.features.operation import Operation, drawn_lines
 from CNCStepper.workbench.features.parameters import PASSES, properties_of
 from CNCStepper.workbench.services.translation import later
 

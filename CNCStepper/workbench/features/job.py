@@ -3,39 +3,44 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.processes import MILLING, PROCESSES
-from CNCStepper.state import WORK_SYSTEMS
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.document import clamps, program_file
+from CNCStepper.workbench.document import clamps
 from CNCStepper.workbench.document.input_limits import require_within_reach
-from CNCStepper.workbench.document.operation_order import active_operations
 from CNCStepper.workbench.document.stock_of_job import FORMS, stock_content, stock_of
-from CNCStepper.workbench.document.undo_observer import follow
 from CNCStepper.workbench.features.base import (
     CONTAINERS,
     DISTANCE,
     ENUMERATION,
     HIDDEN,
     IDENTITY,
-    INTEGER,
     POINTS,
     POSITION,
     TEXT,
-    Feature,
     Property,
-    proxy_type,
     require_parts,
     values,
 )
 from CNCStepper.workbench.features.cut_values import CHART, CUT_KEYS, CUT_VALUES, HEIGHT_KEYS
+from CNCStepper.workbench.features.program_job import (
+    CONTENTS,
+    JOB_GROUP,
+    MACHINE,
+    MADE,
+    PROGRAM_FORM,
+    PROGRAM_PARTS,
+    STOCK,
+    ProgramJob,
+    machine_property,
+)
 from CNCStepper.workbench.services.translation import later
 
-MACHINE, STOCK, HEIGHTS, PROGRAM = later("Machine"), later("Stock"), later("Heights"), later("Program")
-JOB_GROUP = later("Job")
-LINKS = "App::PropertyLinkList"
+HEIGHTS = later("Heights")
 SOLIDS = CONTAINERS  # a clamp may lie inside a part, the job outside
 ORIGINS = ("top-centre", "top-left-front")
 
@@ -48,29 +53,21 @@ NOT_OF_MILLING = {"consumable", "chart", *CUT_KEYS}
 OF_SOME = {"coolant", *HEIGHT_KEYS, *NOT_OF_MILLING}  # keys that not every process or machine has
 
 
-class Job(Feature):
-    """The proxy of a job; `Operations` are cut in their order, heights are above the top of the stock."""
+class Job(ProgramJob):
+    """The proxy of a milling or sheet cutting job; heights are above the top of the stock."""
 
     def add_properties(self, obj: Any) -> None:
-        """Add what `obj` lacks, and see that its program follows every undo."""
+        """Add what `obj` lacks, and hide what its process does not have."""
         super().add_properties(obj)
         self.show_what_counts(obj)
-        follow()
 
     Type = "CNCStepper_Job"
+    TOOL = "CNCStepper_Tool"
     PROPERTIES = (
-        Property("machine", "Machine", TEXT, MACHINE, later("Profile"),
-                 later("A shipped profile's name, or a profile's file"), "table-a"),
+        machine_property("table-a"),
         Property("process", "Process", ENUMERATION, MACHINE, later("Process"),
                  later("How it is cut; the machine must be able to"), MILLING.name, choices=tuple(PROCESSES)),
-        Property("dialect", "Dialect", TEXT, PROGRAM, later("Dialect"),
-                 later("The program's dialect; empty: the machine's own"), ""),
-        Property("units", "Units", ENUMERATION, PROGRAM, later("Units"), later("Of the written program"),
-                 "mm", choices=("mm", "inch")),
-        Property("work_offset", "WorkOffset", ENUMERATION, PROGRAM, later("Work offset"),
-                 later("The work coordinate system"), "G54", choices=WORK_SYSTEMS),
-        Property("coolant", "Coolant", ENUMERATION, PROGRAM, later("Coolant"),
-                 later("Outputs that are on while cutting"), "none", choices=("none", "mist", "flood")),
+        *PROGRAM_FORM,
         Property("material", "Material", TEXT, STOCK, later("Material"),
                  later("Tools without feeds or speed use its table"), ""),
         Property("stock_form", "StockForm", ENUMERATION, STOCK, later("Form"),
@@ -89,28 +86,19 @@ class Job(Feature):
         Property("chart", "Chart", TEXT, CHART, later("Chart"),
                  later("The file of a cut chart of your own; empty: the chart that ships"), ""),
         *CUT_VALUES,
-        Property("part", "ProgramPart", INTEGER, PROGRAM, later("Program number"),
-                 later("The program that is shown, checked and sent, if the machine needs one for each tool"), 1),
-        Property("parts", "ProgramParts", INTEGER, PROGRAM, later("Programs"),
-                 later("How many there are: one, or one a tool in turn"), 0, output=True),
+        *PROGRAM_PARTS,
         Property("clearance_mm", "Clearance", DISTANCE, HEIGHTS, later("Clearance"),
                  later("Where rapids travel across the work"), 10.0),
         Property("retract_mm", "Retract", DISTANCE, HEIGHTS, later("Retract"),
                  later("From here down the tool feeds"), 2.0),
-        Property("operations", "Operations", LINKS, JOB_GROUP, later("Operations"),
-                 later("The operations, in their order"), ()),
-        Property("tools", "Tools", LINKS, JOB_GROUP, later("Tools"),
-                 later("The tools that operations may choose from"), ()),
+        *CONTENTS,
         Property("clamps", "Clamps", SOLIDS, JOB_GROUP, later("Clamps"),
                  later("Solids that hold the work down, which the tool must not touch"), ()),
         Property("clamp_containers", "ClampContainers", CONTAINERS, JOB_GROUP, later("Containers of the clamps"),
                  later("The parts and bodies that the clamps move with"), (), output=True),
         Property("clamp_outlines", "ClampOutlines", POINTS, JOB_GROUP, later("Outlines of the clamps"),
                  later("The clamps seen from above, at the height of their tops"), (), output=True),
-        Property("program", "Program", "App::PropertyFileIncluded", JOB_GROUP, later("Program"),
-                 later("The program, kept in this document"), output=True),
-        Property("message", "Message", TEXT, JOB_GROUP, later("Message"), later("Why there is no program"), "",
-                 output=True),
+        *MADE,
     )  # fmt: skip
 
     def check(self, obj: Any) -> None:
@@ -124,39 +112,36 @@ class Job(Feature):
         machine_of(obj).process(obj.Process)
         require_within_reach(obj, {key: value for key, value in values(obj).items() if key in HEIGHT_KEYS})
 
-    def question(self, obj: Any) -> dict[str, Any] | None:
-        """Return what the cut process is asked for the programs; None while there are no operations."""
-        self.check(obj)
-        if not active_operations(obj):
-            return None
+    def make_surroundings(self, obj: Any) -> None:
+        """Look where the clamps are."""
+        require_parts(obj.Clamps)
+        obj.ClampOutlines = clamps.outlines_of(obj.Clamps)
+
+    def program_question(self, obj: Any) -> dict[str, Any]:
+        """Return what the cut process is asked for the programs; raises JobError for a bad job."""
         from CNCStepper.workbench.document.core_job import program_question
 
         return program_question(obj)
 
-    def make(self, obj: Any) -> None:
-        """Make the program from all active operations."""
-        self.check(obj)
-        require_parts(obj.Clamps)
-        obj.ClampOutlines = clamps.outlines_of(obj.Clamps)
-        require_parts(active_operations(obj))
-        if not active_operations(obj):
-            self.invalidate(obj, "the job has no operations")
-            return
+    def programs(self, obj: Any) -> list[tuple[str, str]]:
+        """Return the names and texts of the programs; raises what the core raises."""
         from CNCStepper.workbench.document.core_job import programs
 
-        texts = [text for _, text in programs(obj)]
-        obj.ProgramParts = len(texts)
-        obj.setEditorMode("ProgramPart", 0 if len(texts) > 1 else HIDDEN)
-        program_file.store(obj, texts[_part(obj, len(texts)) - 1])
-        obj.Message = ""
+        return programs(obj)
 
-    def invalidate(self, obj: Any, why: str) -> None:
-        """Remove the program and its picture, so that an outdated one is never cut."""
-        program_file.store(obj, "")
-        obj.Message = why
-        for preview in obj.InList:
-            if proxy_type(preview) == "CNCStepper_Preview":
-                preview.Proxy.clear(preview)
+    def proof_question(self, obj: Any, program: Any) -> Callable[[Path, str], None]:
+        """Return what writes the request for a proof into a folder, with the program's text; raises JobError."""
+        from CNCStepper.job.proof_folder import write_question
+        from CNCStepper.workbench.document.core_job import language_of, machine_of, proven_with
+
+        job, machine, language = proven_with(program), machine_of(obj), language_of(program)
+        return lambda folder, text: write_question(folder, text, job, machine, language)
+
+    def read_back(self, obj: Any, text: str) -> Any:
+        """Return the table of moves of a program's text, in work coordinates; raises ProgramError."""
+        from CNCStepper.workbench.document.core_job import read_back
+
+        return read_back(obj, text)
 
     def show_what_counts(self, obj: Any) -> None:
         """Hide the properties that the job's process or machine does not have."""
@@ -189,18 +174,3 @@ class Job(Feature):
         if name in SETUP and "Operations" in obj.PropertiesList:
             for operation in obj.Operations:
                 operation.touch()
-
-
-def _part(obj: Any, parts: int) -> int:
-    """Return which of its programs a job object holds, from 1; raises JobError for one that there is not."""
-    if parts == 1:
-        return 1
-    if not 1 <= obj.ProgramPart <= parts:
-        raise JobError(
-            "part-missing",
-            "there is no such part of the program",
-            value=f"{obj.ProgramPart}",
-            limit=f"1 to {parts}",
-            advice="choose one of them",
-        )
-    return int(obj.ProgramPart)

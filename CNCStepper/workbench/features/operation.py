@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The base of all operations: a tool, a cycle made from their properties, and a job that cuts them in order."""
+"""The base of the operations of milling and sheet cutting: drawings and numbers become a cycle, cut for trial."""
 
 from __future__ import annotations
 
@@ -8,54 +8,30 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError, CycleError, Text
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.job.request_digest import Content
 from CNCStepper.machine.processes import MILLING
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document.input_limits import require_within_reach
-from CNCStepper.workbench.drawings.shapes import DrawingSnapshot, all_same, containers_of, edges_of, require_closed
+from CNCStepper.workbench.drawings.shapes import DrawingSnapshot, all_same
 from CNCStepper.workbench.features.base import (
-    BOOL,
-    CONTAINERS,
-    DRAWINGS,
     HIDDEN,
-    JOB,
-    LINK,
     NUMBERS,
     POSITION,
-    PROBLEM,
-    TEXT,
-    Feature,
-    Property,
-    drawing_pairs,
     entry_of,
-    proxy_type,
-    require_parts,
     set_value,
     show,
-    values,
+)
+from CNCStepper.workbench.features.cycle_operation import (
+    CycleOperation,
+    drawings_of,
+    jobs_of,
+    linked_drawings,
+    marked_of,
+    refuse_what_it_stands_on,
+    tool_of,
 )
 from CNCStepper.workbench.services.translation import later
-
-OPERATION_GROUP = later("Operation")
-LINKS = ("tool", "active", "drawings")  # keys of every operation that are none of a cycle's
-MARKED = "MarkDrawings"  # the property of the drawings that are marked, of operations that mark
-DRAWN_BY = ("Drawings", MARKED)  # the properties whose drawings an operation stands on
-OPERATION = (
-    Property("tool", "Tool", LINK, OPERATION_GROUP, later("Tool"), later("The tool that cuts it")),
-    Property("active", "Active", BOOL, OPERATION_GROUP, later("Active"), later("Whether the program holds it"), True),
-)
-
-
-def drawn(group: str, text: str, only: tuple[str, tuple[str, ...]] | tuple[()] = ()) -> tuple[Property, ...]:
-    """Return the properties of an operation that follows drawings; only: when it does."""
-    return (
-        Property("drawings", "Drawings", DRAWINGS, group, later("Drawings"), text, (), only=only),
-        Property("containers", "Containers", CONTAINERS, group, later("Containers"),
-                 later("The parts and bodies that the drawings move with"), (), output=True),
-        Property("deleted_drawing", "DeletedDrawing", TEXT, group, later("Deleted drawing"),
-                 later("The drawing it followed, when that was deleted"), "", output=True),
-    )  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -100,67 +76,26 @@ class Lines:
         return nested(self.curves)
 
 
-class Operation(Feature):
-    """The proxy of an operation: its properties are its cycle's parameters, under the same keys.
+class Operation(CycleOperation):
+    """The proxy of an operation of milling or sheet cutting; one with a SHAPE follows one drawing at most."""
 
-    TABLES: keys of tables within the cycle's own; "tabs_count" is then "count" in the table "tabs". OWN: keys that
-    are none of the cycle's. SHAPE: keys whose values the drawing gives, where there is one, of which it follows no
-    more. CLOSED: whether all lines must close. PICKS_LINES: whether a click on a single line of a drawing means that
-    line alone. NO_DRAWING: what it is to have no drawing. BY: the processes that cut it.
-    """
-
-    CYCLE = ""
-    TABLES: tuple[str, ...] = ()
-    OWN: tuple[str, ...] = ()
-    SHAPE: tuple[str, ...] = ()
-    CLOSED = False
-    PICKS_LINES = False
-    NO_DRAWING = later("none yet")
     BY: tuple[str, ...] = (MILLING.name,)
     WHY_FIXED = later("The drawing gives this value")
-    removed_label = ""
     last_cut: Any = None  # a CycleCache
     kept: CachedCycle | None = None  # until the object or what it stands on changes
     drawn: Sequence[DrawingSnapshot] = ()  # its drawings when it was made
     lines: Lines | None = None  # of its drawings when it was made
     marks: Lines | None = None  # of the drawings that are marked
-    warnings: tuple[str, ...] = ()  # what the last cut says that a person should know
     remarks: tuple[str, ...] = ()  # what there is to know of the drawings
-    unused: tuple[CNCStepperError, ...] = ()  # why what was selected with the drawings is none of them
 
     def add_properties(self, obj: Any) -> None:
-        """Add what `obj` lacks, and let only those be typed that count."""
+        """Add what `obj` lacks, and let it follow the one drawing of an older document."""
         super().add_properties(obj)
         _take_over_one_drawing(obj)
         self.show_what_counts(obj)
 
-    def onDocumentRestored(self, obj: Any) -> None:
-        """Let one of an older version catch up, and take a copied or pasted one into its job; FreeCAD calls this."""
-        super().onDocumentRestored(obj)
-        if self.is_copy:
-            from CNCStepper.workbench.document.operation_order import take_in
-
-            take_in(obj)
-
-    @classmethod
-    def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:
-        """Raise GeometryError when an operation of this kind cannot follow a drawing, or what is picked of it."""
-        (require_closed if cls.CLOSED else edges_of)(drawing, picked)
-
     def follow(self, obj: Any, origin_mm: tuple[float, ...]) -> None:
         """Take those parameters from the drawing that it gives; only while `obj` itself is recomputed."""
-
-    def given(self, found: dict[str, Any]) -> dict[str, Any]:
-        """Return the parameters of the cycle among an object's values: those that count, in the cycle's tables."""
-        entries = [entry for entry in self.PROPERTIES if entry.key in found and entry.key not in (*LINKS, *self.OWN)]
-        return in_tables({entry.key: found[entry.key] for entry in entries if self.counts(entry, found)}, self.TABLES)
-
-    def counts(self, entry: Property, found: dict[str, Any]) -> bool:
-        """Return whether a property counts with an object's other values, by key."""
-        if not entry.only:
-            return True
-        chooser, choices = entry.only
-        return found.get(chooser) in choices and self.counts(entry_of(self, chooser), found)
 
     def show_what_counts(self, obj: Any) -> None:
         """Hide the properties that do not count, and let only those be typed that no drawing gives."""
@@ -173,10 +108,6 @@ class Operation(Feature):
     def cycle_values(self, obj: Any, origin_mm: tuple[float, ...]) -> dict[str, Any]:
         """Return the cycle's parameters; `origin_mm` is where the work zero lies in the document."""
         return self.given(self.known(obj))
-
-    def known(self, obj: Any) -> dict[str, Any]:
-        """Return the object's values by key, and what else decides which of them count."""
-        return values(obj)
 
     def process(self, obj: Any) -> str:
         """Return the process of its job where values count by it; "" where they do not, or there is no job."""
@@ -193,7 +124,7 @@ class Operation(Feature):
     def _keep(self, obj: Any, origin_mm: tuple[float, ...]) -> CachedCycle:
         """Return what the object was made into, made anew where anything has changed: its job asks after each edit."""
         packages.require()
-        cycle_of = (_tool(obj).Number, tuple(origin_mm))
+        cycle_of = (tool_of(obj).Number, tuple(origin_mm))
         made_with = (*cycle_of, self.process(obj))
         if self.kept is None or self.kept.made_with != made_with:
             self.remarks = ()
@@ -232,51 +163,19 @@ class Operation(Feature):
         """Cut it for trial, as its job would, and show the figures."""
         self.warnings = ()
         self._look_at_drawings(obj)
-        _refuse_what_it_stands_on(obj)
+        refuse_what_it_stands_on(obj)
         show(obj, self.figures(obj))
 
     def question(self, obj: Any) -> dict[str, Any] | None:
         """Return what the cut process is asked for its figures; None while it belongs to no job."""
         self._look_at_drawings(obj)
-        _refuse_what_it_stands_on(obj)
+        refuse_what_it_stands_on(obj)
         job, cycle = self._followed(obj)
         if job is None:
             return None
         from CNCStepper.workbench.document.core_job import cut_question
 
         return cut_question(job, obj, cycle)
-
-    def onChanged(self, obj: Any, name: str) -> None:
-        """Stand on what the drawings move with, too; FreeCAD calls this at every change."""
-        if name in self._inputs:
-            self.kept = None
-        if PROBLEM.name not in obj.PropertiesList or "Restore" in obj.State:
-            return
-        if name in DRAWN_BY and "DeletedDrawing" in obj.PropertiesList:
-            holders = [holder for drawing in linked_drawings(obj) for holder in containers_of(drawing)]
-            obj.Containers = list(dict.fromkeys(holders))
-            kept = obj.DeletedDrawing if name == MARKED else ""  # until other drawings are chosen
-            obj.DeletedDrawing = self.removed_label or kept
-            self.removed_label, self.unused = "", ()
-        if name in self._choosers:
-            self.show_what_counts(obj)
-
-    @functools.cached_property
-    def _inputs(self) -> set[str]:
-        """The names of the properties that the cycle is made from."""
-        return {"Label", *(entry.name for entry in self.PROPERTIES if not entry.output)}
-
-    @functools.cached_property
-    def _choosers(self) -> set[str]:
-        """The names of the properties whose values say which others count."""
-        chosen_by = {entry.only[0] for entry in self.PROPERTIES if entry.only}
-        return {"Drawings", *(entry.name for entry in self.PROPERTIES if entry.key in chosen_by)}
-
-    def onBeforeChange(self, obj: Any, name: str) -> None:
-        """Note which drawing is being deleted; FreeCAD calls this before every change."""
-        if name in DRAWN_BY:
-            removed = [drawing.Label for drawing, _ in drawing_pairs(getattr(obj, name)) if drawing.Removing]
-            self.removed_label = removed[0] if removed else self.removed_label
 
     def figures(self, obj: Any) -> dict[str, float]:
         """Return what the cycle reports (recalculated ae and ap, passes); nothing while it belongs to no job."""
@@ -319,24 +218,6 @@ class Operation(Feature):
         from CNCStepper.workbench.document.core_job import cut_question
 
         return result_cache.answer_to(cut_question(job, obj, cycle)) if result_cache.any_known() else None
-
-
-def drawings_of(obj: Any) -> tuple[tuple[Any, tuple[str, ...]], ...]:
-    """Return the drawings that an operation follows, each with the names of its faces and edges that count, () for all.
-
-    An operation that has no such property yet follows none.
-    """
-    return drawing_pairs(getattr(obj, "Drawings", ()))
-
-
-def marked_of(obj: Any) -> tuple[tuple[Any, tuple[str, ...]], ...]:
-    """Return the drawings that an operation marks, as `drawings_of` does; none of one that marks nothing."""
-    return drawing_pairs(getattr(obj, MARKED, ()))
-
-
-def linked_drawings(obj: Any) -> list[Any]:
-    """Return all drawings that an operation stands on."""
-    return [drawing for drawing, _ in (*drawings_of(obj), *marked_of(obj))]
 
 
 def the_drawing(obj: Any) -> tuple[Any, tuple[str, ...]] | None:
@@ -389,23 +270,6 @@ def _lines(kept: Lines | None, pairs: Any, tolerance_mm: float, origin_mm: tuple
     return Lines(made_of, seen, curves, tuple(drawn.remarks()))
 
 
-def in_tables(found: dict[str, Any], tables: tuple[str, ...]) -> dict[str, Any]:
-    """Return values by key, those whose key begins with the name of a table put into that table."""
-    content: dict[str, Any] = {}
-    for key, value in found.items():
-        table = next((name for name in tables if key.startswith(f"{name}_")), "")
-        if table:
-            content.setdefault(table, {})[key.removeprefix(f"{table}_")] = value
-        else:
-            content[key] = value
-    return content
-
-
-def jobs_of(obj: Any) -> list[Any]:
-    """Return the jobs that hold an operation (one, unless a user linked it twice)."""
-    return [other for other in obj.InList if proxy_type(other) == JOB]
-
-
 def _take_over_one_drawing(obj: Any) -> None:
     """Let an operation of a document from before there could be several drawings follow its one."""
     if "Drawing" not in obj.PropertiesList:
@@ -417,23 +281,3 @@ def _take_over_one_drawing(obj: Any) -> None:
     obj.DeletedDrawing = deleted
     for name in {"Drawing", "Picked"} & set(obj.PropertiesList):
         obj.removeProperty(name)
-
-
-def _refuse_what_it_stands_on(obj: Any) -> None:
-    """Raise CycleError for a drawing that was deleted, JobError for a tool or a drawing with a problem."""
-    if obj.DeletedDrawing:
-        raise CycleError(
-            "drawing-deleted",
-            Text("the drawing '{deleted_drawing}' that it followed was deleted", deleted_drawing=obj.DeletedDrawing),
-            advice="undo that, choose another drawing, or choose none",
-        )
-    parts = (obj.Tool, *linked_drawings(obj))
-    require_parts(part for part in parts if part is not None)
-
-
-def _tool(obj: Any) -> Any:
-    if proxy_type(obj.Tool) != "CNCStepper_Tool":
-        raise CycleError(
-            "tool-missing", Text("{obj} has no tool", obj=obj.Label), advice="choose one of the job's tools for it"
-        )
-    return obj.Tool

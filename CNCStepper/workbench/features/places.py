@@ -12,7 +12,8 @@ from CNCStepper.cycles.holes.hole_parameters import PATTERNS, PLACES
 from CNCStepper.cycles.parameter import declared
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.workbench.features.base import ENUMERATION, INTEGER, Property, values
-from CNCStepper.workbench.features.operation import Operation, drawings_of, drawn
+from CNCStepper.workbench.features.cycle_operation import drawings_of, drawn
+from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.features.parameters import property_of
 from CNCStepper.workbench.services.translation import later
 

@@ -46,7 +46,7 @@ class Preview(Feature):
             read = text, _path(result_cache.path_of(text) or path_text(obj.Job, text))
         obj.Path = read[1]
         placement = obj.Placement
-        placement.Base = obj.Job.WorkOrigin
+        placement.Base = obj.Job.Proxy.origin_mm(obj.Job)
         obj.Placement = placement
 
     def clear(self, obj: Any) -> None:
@@ -65,6 +65,5 @@ def _path(moves: str) -> Any:
 def path_text(job: Any, text: str) -> str:
     """Return the moves of a job's program as FreeCAD's Path reads them."""
     from CNCStepper.job.path_commands import commands, gcode
-    from CNCStepper.workbench.document.core_job import read_back
 
-    return gcode(commands(read_back(job, text)))
+    return gcode(commands(job.Proxy.read_back(job, text)))

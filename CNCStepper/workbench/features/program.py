@@ -12,7 +12,7 @@ from typing import Any
 from CNCStepper.errors import JobError
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.document.undo_observer import follow
-from CNCStepper.workbench.features.base import LINK, TEXT, Feature, Property, proxy_type
+from CNCStepper.workbench.features.base import LINK, TEXT, Feature, Property, is_job, proxy_type
 from CNCStepper.workbench.services.translation import later
 
 PROGRAM = later("Program")
@@ -43,7 +43,7 @@ class Program(Feature):
 
     def make(self, obj: Any) -> None:
         """Say whether the job's own program is still the one that was edited; the text stays as it is."""
-        if proxy_type(obj.Job) != "CNCStepper_Job":
+        if not is_job(obj.Job):
             raise JobError("job-missing", "the edited program has no job", advice="choose its job")
         changed = obj.MadeFrom and obj.MadeFrom != fingerprint(program_file.load(obj.Job))
         obj.Note = "the job's own program has changed since this one was edited" if changed else ""

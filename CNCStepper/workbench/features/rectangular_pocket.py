@@ -7,7 +7,8 @@ from typing import Any
 
 from CNCStepper.cycles.pockets.pocket_parameters import RECTANGLE, RectangularPocketParameters
 from CNCStepper.workbench.features.base import edit
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, the_drawing
+from CNCStepper.workbench.features.cycle_operation import OPERATION, drawn
+from CNCStepper.workbench.features.operation import Operation, the_drawing
 from CNCStepper.workbench.features.parameters import PASSES, REST, properties_of
 from CNCStepper.workbench.services.translation import later
 

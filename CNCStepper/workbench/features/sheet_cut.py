@@ -11,15 +11,8 @@ from CNCStepper.cycles.parameter import LEADS, TABS
 from CNCStepper.cycles.sheet_cutting.sheet_parameters import RULES, SheetParameters
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench.features.base import DISTANCE, DRAWINGS, ENUMERATION, INTEGER, Property, entry_of, values
-from CNCStepper.workbench.features.operation import (
-    MARKED,
-    OPERATION,
-    Operation,
-    drawn,
-    drawn_lines,
-    jobs_of,
-    marked_lines,
-)
+from CNCStepper.workbench.features.cycle_operation import MARKED, OPERATION, drawn, jobs_of
+from CNCStepper.workbench.features.operation import Operation, drawn_lines, marked_lines
 from CNCStepper.workbench.features.parameters import MADE, properties_of
 from CNCStepper.workbench.services.translation import later
 

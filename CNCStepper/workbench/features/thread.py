@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from CNCStepper.cycles.holes.hole_parameters import ThreadParameters
 from CNCStepper.workbench.features.base import DISTANCE, INTEGER, Property
-from CNCStepper.workbench.features.operation import OPERATION
+from CNCStepper.workbench.features.cycle_operation import OPERATION
 from CNCStepper.workbench.features.parameters import RESULT, properties_of
 from CNCStepper.workbench.features.places import HOLES, PATTERN, Places
 from CNCStepper.workbench.services.translation import later

@@ -8,7 +8,8 @@ from typing import Any
 from CNCStepper.cycles.contours.contour_parameters import LINES
 from CNCStepper.cycles.wire_cutting.wire_parameters import WireParameters
 from CNCStepper.workbench.features.base import DISTANCE, INTEGER, Property
-from CNCStepper.workbench.features.operation import OPERATION, Operation, drawn, drawn_lines
+from CNCStepper.workbench.features.cycle_operation import OPERATION, drawn
+from CNCStepper.workbench.features.operation import Operation, drawn_lines
 from CNCStepper.workbench.features.parameters import MADE, properties_of
 from CNCStepper.workbench.services.translation import later
 

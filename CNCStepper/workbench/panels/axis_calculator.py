@@ -12,7 +12,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.features.base import ANGLE, DISTANCE, FLOAT, INTEGER, SPEED, Property
-from CNCStepper.workbench.features.job import MACHINE
+from CNCStepper.workbench.features.program_job import MACHINE
 from CNCStepper.workbench.panels.field_errors import complaints
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, GAP_PX, NAME, note_label
 from CNCStepper.workbench.panels.form import align_labels

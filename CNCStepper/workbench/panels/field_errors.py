@@ -11,7 +11,7 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.quantities import ERROR_TYPE
 from CNCStepper.workbench.document.input_limits import limits_passed
 from CNCStepper.workbench.features.base import JOB, proxy_type
-from CNCStepper.workbench.features.operation import LINKS, jobs_of
+from CNCStepper.workbench.features.cycle_operation import LINKS, jobs_of
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.services.translation import later
 

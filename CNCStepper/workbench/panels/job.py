@@ -11,8 +11,9 @@ from CNCStepper.workbench.document.default_values import stock_of_drawing, stock
 from CNCStepper.workbench.document.stock_of_job import CYLINDER
 from CNCStepper.workbench.drawings.shapes import box_round, round_box
 from CNCStepper.workbench.features.cut_values import CHART
-from CNCStepper.workbench.features.job import HEIGHTS, MACHINE, PROGRAM, STOCK
-from CNCStepper.workbench.features.operation import linked_drawings
+from CNCStepper.workbench.features.cycle_operation import linked_drawings
+from CNCStepper.workbench.features.job import HEIGHTS
+from CNCStepper.workbench.features.program_job import MACHINE, PROGRAM, STOCK
 from CNCStepper.workbench.features.tool import FORM, LIMITS
 from CNCStepper.workbench.panels.axis_calculator import AxisSheet
 from CNCStepper.workbench.panels.fields import NAME, ChoiceField, VectorField

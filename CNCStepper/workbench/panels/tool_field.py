@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.machine.processes import MILLING, PROCESSES
-from CNCStepper.workbench.features.operation import jobs_of
+from CNCStepper.workbench.features.cycle_operation import jobs_of
 from CNCStepper.workbench.features.tool import job_with
 from CNCStepper.workbench.panels.fields import ChoiceField
 from CNCStepper.workbench.services.choice_labels import words_of

@@ -37,7 +37,7 @@ from CNCStepper.workbench.services.translation import later, tr
 if TYPE_CHECKING:
     import numpy as np
 
-    from CNCStepper.job.proof_folder import Part
+    from CNCStepper.job.proof_folder import Part, ProgramAnswer
     from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
     from CNCStepper.simulation.finding import Finding
     from CNCStepper.simulation.meshes.fallen_faces import FallenFaces
@@ -61,12 +61,11 @@ STAGES = {
 
 
 @dataclass(frozen=True)
-class ProofResult:
+class ProvenProgram:
     """The proof of a program; its folder is removed with the last reference to this object.
 
     program_lines: the text; of a restart its own. findings: the worst first. refused: whether it must not be
     sent. send_file: the certificate. moves: the tip in work coordinates in time. rapids, feeds: as lines.
-    part: what is left of the stock. fallen: what it cuts free. tools: the outlines of cutter and shank by number.
     report: as `cncstepper run` writes it. work_origin_mm: where the work zero lies in the document. begins: the start
     state that it holds for, None where that is not known. words: what a restart does, the core's sentences.
     """
@@ -79,19 +78,35 @@ class ProofResult:
     moves: TipTrack
     rapids: Lines
     feeds: Lines
-    part: Part
-    fallen: FallenFaces
     report: dict[str, Any]
     work_origin_mm: tuple[float, float, float]
-    tools: dict[int, tuple[np.ndarray, np.ndarray]]
     folder: tempfile.TemporaryDirectory
-    begins: Start | None = None
-    words: tuple[str, ...] = ()
+    begins: Start | None
+    words: tuple[str, ...]
 
     @property
     def end_mm(self) -> np.ndarray:
         """The tip's position after every row, float64[n, 3], work coordinates."""
         return self.moves.end
+
+
+@dataclass(frozen=True)
+class ProofResult(ProvenProgram):
+    """The proof of a program for a table, with the part that it leaves.
+
+    part: what is left of the stock. fallen: what it cuts free. tools: the outlines of cutter and shank by number.
+    """
+
+    part: Part
+    fallen: FallenFaces
+    tools: dict[int, tuple[np.ndarray, np.ndarray]]
+
+
+@dataclass(frozen=True)
+class TurnedResult(ProvenProgram):
+    """The proof of a lathe's program; rings: of the part in half section, each float64[n, 2] of z and radius."""
+
+    rings: tuple[np.ndarray, ...]
 
 
 class ProofRun(QtCore.QObject):
@@ -107,7 +122,7 @@ class ProofRun(QtCore.QObject):
     failed = QtCore.Signal(object)
     progress = QtCore.Signal(str)
 
-    _last: tuple[str, ProofResult] | None = None  # fingerprint of the question, and its answer
+    _last: tuple[str, ProvenProgram] | None = None  # fingerprint of the question, and its answer
 
     def __init__(
         self,
@@ -156,22 +171,19 @@ class ProofRun(QtCore.QObject):
     def _ask(self) -> Future[str]:
         """Read the document, and write the question beside the window: gives its fingerprint."""
         packages.require()
-        from CNCStepper.workbench.document.core_job import language_of, machine_of, proven_with
-
         self._program = api.program_text(self._job)
         asked = job_behind(self._job)
-        job, machine, language = proven_with(self._job), machine_of(asked), language_of(self._job)
-        self._origin_mm = tuple(asked.WorkOrigin)
+        write_question = asked.Proxy.proof_question(asked, self._job)
+        self._origin_mm = asked.Proxy.origin_mm(asked)
         names = (self._job.Label, self._origin_mm)
         self._folder = tempfile.TemporaryDirectory(prefix="cncstepper-", ignore_cleanup_errors=True)
         path = Path(self._folder.name)
 
         def write() -> str:
-            from CNCStepper.job.proof_folder import write_question
             from CNCStepper.job.start_state_file import write_start
             from CNCStepper.recovery.restart.restart_proof_folder import write_place
 
-            write_question(path, self._program, job, machine, language)
+            write_question(path, self._program)
             write_start(path, self._begins)
             write_place(path, self._place)
             message_translation.make_ready()  # findings are to be said
@@ -239,35 +251,37 @@ class ProofRun(QtCore.QObject):
         self._files = in_background(lambda: self._read(folder))
         self._await(self._files, self._answer)
 
-    def _answer(self, result: ProofResult) -> None:
+    def _answer(self, result: ProvenProgram) -> None:
         self._folder = self._files = None  # the result keeps the folder
         ProofRun._last = (self._key, result)
         self.finished.emit(result)
 
-    def _read(self, folder: tempfile.TemporaryDirectory) -> ProofResult:
+    def _read(self, folder: tempfile.TemporaryDirectory) -> ProvenProgram:
         """Read the answer, beside the window; raises the error that was written instead."""
         from CNCStepper.job.proof_folder import read_answer
+        from CNCStepper.job.turning.turning_proof_folder import is_turned, read_turned_answer
         from CNCStepper.recovery.restart.restart_proof_folder import read_restart
 
-        answer, restart = read_answer(Path(folder.name)), read_restart(Path(folder.name))
-        return ProofResult(
-            program_lines=(restart.program if restart else self._program).splitlines(),
-            findings=answer.findings,
-            refused=answer.refused,
-            send_file=answer.send_file,
-            time_s=answer.moves.duration_s,
-            moves=answer.moves,
-            rapids=answer.rapids,
-            feeds=answer.feeds,
-            part=answer.part,
-            fallen=answer.fallen,
-            report=answer.report,
-            work_origin_mm=self._origin_mm,
-            tools=answer.tools,
-            folder=folder,
-            begins=self._begins,
-            words=restart.words if restart else (),
-        )
+        path = Path(folder.name)
+        if is_turned(path):
+            turned = read_turned_answer(path)
+            return TurnedResult(**self._shared(turned, folder, None), rings=turned.rings)
+        answer = read_answer(path)
+        shared = self._shared(answer, folder, read_restart(path))
+        return ProofResult(**shared, part=answer.part, fallen=answer.fallen, tools=answer.tools)
+
+    def _shared(self, answer: ProgramAnswer, folder: tempfile.TemporaryDirectory, restart: Any) -> dict[str, Any]:
+        """Return what every result has, by name."""
+        return {
+            **answer.shared(),
+            "program_lines": (restart.program if restart else self._program).splitlines(),
+            "refused": answer.refused,
+            "time_s": answer.moves.duration_s,
+            "work_origin_mm": self._origin_mm,
+            "folder": folder,
+            "begins": self._begins,
+            "words": restart.words if restart else (),
+        }
 
     def _fail(self, error: CNCStepperError) -> None:
         self._drop_folder()

@@ -96,6 +96,27 @@ WORDS = {
 }
 
 
+TURNING_WORDS = {
+    "turning": later("turning outside"),
+    "boring": later("boring"),
+    "parting": later("parting and grooving"),
+    "threading": later("threading"),
+    "bar": later("bar"),
+    "tube": later("tube"),
+    "radius": later("radius"),
+    "absolute": later("absolute (G90)"),
+    "incremental": later("incremental (G91)"),
+    "insert": later("of the insert"),
+    "angles": later("by two angles"),
+    "z": later("along Z (as G71)"),
+    "x": later("along X (as G72)"),
+    "profile": later("along the profile (as G73)"),
+    "full": later("out of the hole"),
+    "chip": later("to break the chip"),
+    "radial": later("radial"),
+    "flank": later("along the flank"),
+    "alternating": later("alternating flanks"),
+}
 PROCESS_WORDS = {
     "milling": later("Milling"),
     "plasma": later("Plasma"),
@@ -136,8 +157,13 @@ CUT_WORDS = {
     "front": later("front"),
     "back": later("rear"),
 }
-OF_KEY = {("leave", "back"): later("back along the entry"), ("leave", "edge"): later("to the nearest edge")}
-WORDS |= {**PROCESS_WORDS, **CHART_WORDS, **CUT_WORDS}
+OF_KEY = {
+    ("leave", "back"): later("back along the entry"),
+    ("leave", "edge"): later("to the nearest edge"),
+    ("process", "turning"): later("Turning"),
+    ("x_is", "diameter"): later("diameter"),
+}
+WORDS |= {**TURNING_WORDS, **PROCESS_WORDS, **CHART_WORDS, **CUT_WORDS}
 
 
 def words_of(choice: str, key: str = "") -> str:

@@ -68,6 +68,20 @@ def _corners(corners: np.ndarray) -> Any:
     return content
 
 
+def strips(points: np.ndarray, normals: np.ndarray, counts: np.ndarray) -> Any:
+    """Return strips of triangles, float32[n, 3] with normals, float32[n, 3], of so many points each."""
+    from pivy import coin
+
+    content = coin.SoVertexProperty()
+    content.vertex.setValues(0, len(points), np.ascontiguousarray(points, np.float32))
+    content.normal.setValues(0, len(normals), np.ascontiguousarray(normals, np.float32))
+    content.normalBinding = coin.SoVertexProperty.PER_VERTEX
+    bands = coin.SoTriangleStripSet()
+    bands.vertexProperty = content
+    bands.numVertices.setValues(0, len(counts), counts.tolist())
+    return bands
+
+
 def lines(points: np.ndarray, counts: np.ndarray) -> Any:
     """Return polylines one after another, float32[n, 3], of so many points each."""
     from pivy import coin
@@ -120,6 +134,16 @@ def solid() -> Any:
     hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
     hints.shapeType = coin.SoShapeHints.SOLID
     hints.creaseAngle = 0.6
+    return hints
+
+
+def both_sides() -> Any:
+    """Return the setting that faces which follow are seen from both sides."""
+    from pivy import coin
+
+    hints = coin.SoShapeHints()
+    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+    hints.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
     return hints
 
 

@@ -37,7 +37,7 @@ def attach(obj: Any) -> None:
 
 def _kind(obj: Any) -> type:
     from CNCStepper.workbench.features.base import JOB, proxy_type
-    from CNCStepper.workbench.features.operation import Operation as Feature
+    from CNCStepper.workbench.features.cycle_operation import CycleOperation as Feature
     from CNCStepper.workbench.viewproviders.base import ViewProvider
     from CNCStepper.workbench.viewproviders.drawing import Drawing
     from CNCStepper.workbench.viewproviders.job import Job

@@ -14,12 +14,12 @@ from typing import Any
 
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.document.operation_order import duplicate, is_operation, job_of, move
-from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.features.base import TOOLS, is_job, proxy_type
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.messages import guarded, polled
 from CNCStepper.workbench.services.translation import tr
 
-PARTS = {"CNCStepper_Tool", "CNCStepper_Preview", "CNCStepper_Program"}
+PARTS = {*TOOLS, "CNCStepper_Preview", "CNCStepper_Program"}
 
 
 @dataclass(frozen=True)
@@ -58,12 +58,12 @@ def drop_of(dragged: Sequence[Any], target: Any, after: bool, copies: bool = Fal
     after: whether the pointer is on the lower half of the row. copies: whether Ctrl is held.
     """
     parts = [obj for obj in dragged if is_part(obj)]
-    if not dragged or not (parts or is_part(target) or proxy_type(target) == JOB):
+    if not dragged or not (parts or is_part(target) or is_job(target)):
         return None
     why_not = _why_not(dragged, target)
     if why_not:
         return Drop(why_not=why_not)
-    job = target if proxy_type(target) == JOB else job_of(target)
+    job = target if is_job(target) else job_of(target)
     beside = target if is_operation(target) else None
     return Drop(job, tuple(dragged), beside, after, copies)
 
@@ -73,7 +73,7 @@ def _why_not(dragged: Sequence[Any], target: Any) -> str:
     if strangers:
         return tr("{0} is no operation and is not moved").format(strangers[0].Label)
     jobs = {job_of(obj) for obj in dragged}
-    job = target if proxy_type(target) == JOB else job_of(target) if is_operation(target) else None
+    job = target if is_job(target) else job_of(target) if is_operation(target) else None
     if job is None:
         return tr("{0} stays in its job: drop it on another operation, or on the job").format(dragged[0].Label)
     if jobs != {job}:
@@ -98,13 +98,13 @@ def row_object(index: Any) -> Any:
     if len(lineage) < 2:
         return None
     holder = row_object(index.parent())
-    if holder is not None and proxy_type(holder) == JOB:
+    if holder is not None and is_job(holder):
         children = holder.ViewObject.Proxy.claimChildren()
         if index.row() < len(children) and children[index.row()].Label == lineage[0]:
             return children[index.row()]
     documents = [document for document in FreeCAD.listDocuments().values() if document.Label == lineage[-1]]
     found = [obj for document in documents for obj in document.getObjectsByLabel(lineage[0])]
-    ours = [obj for obj in found if is_part(obj) or proxy_type(obj) == JOB]
+    ours = [obj for obj in found if is_part(obj) or is_job(obj)]
     return next(iter(ours or found), None)
 
 

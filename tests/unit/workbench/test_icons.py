@@ -51,5 +51,5 @@ def test_every_command_and_every_object_has_an_icon() -> None:
         for name in re.findall(r'^    Type = "(CNCStepper_\w+)"', path.read_text("utf-8"), re.MULTILINE)
     }
     assert len(commands) == 31
-    assert len(objects) == 21
+    assert len(objects) == 32
     assert commands | objects | {"CNCStepper"} <= there

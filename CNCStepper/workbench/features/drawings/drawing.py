@@ -134,7 +134,7 @@ class Drawing(Feature):
 
     def given(self, found: dict[str, Any]) -> dict[str, Any]:
         """Return the form of the drawing among an object's values; what is 0 is found from the file."""
-        from CNCStepper.workbench.features.operation import in_tables
+        from CNCStepper.workbench.features.cycle_operation import in_tables
 
         left_out = {"split", "cut_at", "mending"}
         content = in_tables({key: value for key, value in found.items() if key not in left_out}, TABLES)

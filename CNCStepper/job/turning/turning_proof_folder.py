@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the folder of a proof holds of a lathe's program, in place of job.json and of the heights of a part.
+
+    turning.json     the request: {"job": job, "part": 2, "title": text}, part: which of its programs, from 1;
+                     or of a G-code file {"bar": bar, "tools": [tool, …]}
+    section.npz      the answer: the part as cut in half section, rings of z and radius
+
+The other files are those of `job/proof_folder.py`; moves and lines lie on the part: X is the radius, Z its own.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from CNCStepper.job.proof_folder import ProgramAnswer, read_program_answer, write_program, write_program_answer
+
+if TYPE_CHECKING:
+    from CNCStepper.control.program.certificate import Certificate
+    from CNCStepper.job.prove import Proof
+    from CNCStepper.job.turning.prove_program import TurnedBar
+    from CNCStepper.job.turning.report import TurnedVerdict
+    from CNCStepper.job.turning.turning_job import TurningJob
+    from CNCStepper.machine.profile import Machine
+    from CNCStepper.machine.tools.turning_tool import TurningTool
+    from CNCStepper.state import Start
+    from CNCStepper.toolpath import Toolpath
+
+QUESTION, SECTION = "turning.json", "section.npz"
+
+
+@dataclass(frozen=True)
+class TurnedAnswer(ProgramAnswer):
+    """What the proof of a lathe's program answered; rings: of the part as cut, each float64[n, 2] of z and radius."""
+
+    rings: tuple[np.ndarray, ...]
+
+
+def write_job_question(folder: Path, program: str, job: TurningJob, machine: Machine, part: int, title: str) -> None:
+    """Write the request for one of the programs of a job; title: with which the job's programs are made."""
+    write_program(folder, program, machine)
+    content = {"job": job.model_dump(mode="json", exclude_none=True), "part": part, "title": title}
+    (folder / QUESTION).write_text(json.dumps(content), encoding="utf-8")
+
+
+def write_file_question(
+    folder: Path, program: str, bar: TurnedBar, tools: Sequence[TurningTool], machine: Machine
+) -> None:
+    """Write the request for a program that no job has made, cut out of a bar with these tools."""
+    write_program(folder, program, machine)
+    content = {"bar": asdict(bar), "tools": [tool.model_dump(mode="json", exclude_none=True) for tool in tools]}
+    (folder / QUESTION).write_text(json.dumps(content), encoding="utf-8")
+
+
+def is_turned(folder: Path) -> bool:
+    """Return whether a folder holds the request for a lathe's program."""
+    return (folder / QUESTION).exists()
+
+
+def prove_question(
+    folder: Path, program: str, machine: Machine, name: str, start: Start | None
+) -> tuple[Proof, TurnedVerdict, Toolpath]:
+    """Return proof and verdict of the program of a request, and its moves on the part; raises what the core raises."""
+    from CNCStepper.job.turning.prove_program import TurnedBar, prove_turned
+    from CNCStepper.machine.profile import validated
+    from CNCStepper.machine.tools.turning_tool import TurningTool
+
+    content = json.loads((folder / QUESTION).read_text("utf-8"))
+    if "bar" not in content:
+        return _of_job(content, program, machine, name, start)
+    tools = [validated(TurningTool, raw, name) for raw in content["tools"]]
+    by_number = {tool.number: tool for tool in tools}
+    proof, verdict = prove_turned(program, machine, TurnedBar(**content["bar"]), by_number, file=name, start=start)
+    return proof, verdict, proof.toolpath
+
+
+def _of_job(
+    content: dict[str, Any], program: str, machine: Machine, name: str, start: Start | None
+) -> tuple[Proof, TurnedVerdict, Toolpath]:
+    """Return the same of a program of a job: behind those that come before it, and in place of its own text."""
+    from CNCStepper.job.turning.make_turning import make_turning
+    from CNCStepper.job.turning.prove_turning import prove_turning
+    from CNCStepper.job.turning.turning_job import turning_job_of
+
+    job, number = turning_job_of(content["job"], Path(name)), content["part"]
+    made = make_turning(job, machine, content["title"])[:number]
+    programs = [*made[:-1], replace(made[-1], program=program)]
+    *_, proven = prove_turning(job, machine, programs, Path(), name, start)
+    return proven.proof, proven.verdict, proven.path
+
+
+def write_turned_answer(
+    folder: Path, proof: Proof, verdict: TurnedVerdict, on_part: Toolpath, certificate: Certificate
+) -> None:
+    """Write the answer; on_part: the program's moves on the part."""
+    import shapely
+
+    rings = [
+        np.asarray(ring.coords)[:, :2] for ring in shapely.get_rings(shapely.get_parts(verdict.part.section.region))
+    ]
+    named: dict[str, Any] = {f"{number}": ring for number, ring in enumerate(rings)}
+    np.savez(folder / SECTION, **named)
+    write_program_answer(folder, on_part, proof, certificate)
+
+
+def read_turned_answer(folder: Path) -> TurnedAnswer:
+    """Return the answer; raises the error that was written instead, or CNCStepperError when there is neither."""
+    common = read_program_answer(folder)
+    with np.load(folder / SECTION, allow_pickle=False) as arrays:
+        rings = tuple(arrays[name] for name in sorted(arrays, key=int))
+    return TurnedAnswer(**common.shared(), rings=rings)

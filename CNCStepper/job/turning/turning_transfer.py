@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Jobs of a lathe as the window and its processes hand them to each other, and what they make of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.job.cut_transfer import machine_content, machine_from
+from CNCStepper.job.path_commands import commands, gcode
+from CNCStepper.job.turning.make_turning import in_part, make_turning, placement_of, turned_moves
+from CNCStepper.job.turning.turning_job import TurningJob, turning_job_of
+from CNCStepper.machine.profile import Machine
+from CNCStepper.state import Start
+from CNCStepper.toolpath import Toolpath
+
+JOB, MACHINE = "job", "machine"
+
+
+def content_of(job: TurningJob, machine: Machine) -> dict[str, Any]:
+    """Return a job and its machine as plain data."""
+    return {JOB: job.model_dump(mode="json", exclude_none=True), MACHINE: machine_content(machine)}
+
+
+def job_from(content: dict[str, Any]) -> tuple[TurningJob, Machine]:
+    """Return job and machine of `content_of`; raises JobError."""
+    return turning_job_of(content[JOB], Path("job")), machine_from(content[MACHINE])
+
+
+def program_texts(job: TurningJob, machine: Machine, title: str) -> list[tuple[str, str]]:
+    """Return the names and texts of a job's programs: one without a name, or one a tool."""
+    made = make_turning(job, machine, title)
+    return [(one.file_name, one.program) for one in made] if len(made) > 1 else [("", made[0].program)]
+
+
+def last_cut(job: TurningJob, machine: Machine) -> tuple[dict[str, float], tuple[str, ...]]:
+    """Return figures and warnings of a job's last operation; its refusal names no place, as it is asked for alone."""
+    try:
+        _, answers = turned_moves(job, machine)
+    except CNCStepperError as error:
+        raise error.at(None) from error
+    return answers[-1].figures, answers[-1].warnings
+
+
+def read_back(job: TurningJob, machine: Machine, text: str, file: str) -> Toolpath:
+    """Return the moves of a program's text on the part: X the radius, Z of a right-handed lathe."""
+    return in_part(interpret(text, Start(), dialect=machine.language(), file=file), placement_of(job, machine))
+
+
+def path_text(job: TurningJob, machine: Machine, text: str, file: str) -> str:
+    """Return a program's moves on the part as FreeCAD's Path reads them."""
+    return gcode(commands(read_back(job, machine, text, file)))
