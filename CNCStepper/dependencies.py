@@ -8,6 +8,7 @@ not.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 PROGRAM, MACHINE, FILES, TERMINAL, SPEED, NESTING = "program", "machine", "files", "terminal", "speed", "nesting"
 CLUSTER = "cluster"
@@ -39,6 +40,7 @@ NEEDS = (
     Need("distributed", "distributed", (CLUSTER,)),
 )
 FAST = "numba"
+PINS = Path(__file__).with_name("constraints.txt")  # for pip: versions of these and of all that they take
 REQUIRED = tuple(need.module for need in NEEDS if not {SPEED, NESTING, CLUSTER} & set(need.purposes))
 PIP_NAMES = {need.module: need.pip for need in NEEDS}
 
@@ -51,3 +53,15 @@ def modules(purpose: str) -> tuple[str, ...]:
 def pip_names(names: tuple[str, ...] | list[str]) -> list[str]:
     """Return how pip calls modules."""
     return [PIP_NAMES.get(name, name) for name in names]
+
+
+def requirements(names: tuple[str, ...] | list[str]) -> list[str]:
+    """Return modules as requirements for pip, with the version that PINS has: "pyserial==3.5"."""
+    pinned = pins()
+    return [f"{name}=={pinned[name]}" for name in pip_names(names)]
+
+
+def pins() -> dict[str, str]:
+    """Return the version of each package in PINS, by the name of the package."""
+    lines = PINS.read_text("utf-8").splitlines()
+    return dict(line.split("==") for line in lines if line and not line.startswith("#"))

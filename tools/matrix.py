@@ -166,14 +166,14 @@ def all_acts(rows: dict[str, Row], at_system: str, folder: Path) -> dict[Key, Ac
         given = documents(folder / "headless", older)
         acts[version, DOCUMENTS] = partial(headless, where, {**given, "CNCSTEPPER_PYTEST": DOCUMENT_TESTS})
         acts[version, HEADLESS] = partial(headless, where, {})
-        acts[version, EMPTY_HOME] = partial(followed, where)
+        acts[version, EMPTY_HOME] = partial(installed, where)
         acts |= {(version, kind): partial(window, where, kind, documents(folder / "window", older)) for kind in KINDS}
     return acts
 
 
-def followed(where: str, log: IO[str]) -> bool:
-    """Follow the command that the workbench prints for missing packages, from an empty home."""
-    script = ROOT / "tests" / "window_helpers" / "follow_command.py"
+def installed(where: str, log: IO[str]) -> bool:
+    """Install missing packages by the workbench's button, from an empty home."""
+    script = ROOT / "tests" / "window_helpers" / "install_and_work.py"
     return (
         subprocess.run(
             [str(ROOT / ".venv" / "bin" / "python"), str(script), where], cwd=ROOT, stdout=log, stderr=log

@@ -92,9 +92,9 @@ system_packages() {
     if has apt-get; then install_packages $packages; else name_missing $packages; fi
 }
 
-# What .venv was made for: it is made anew when Python or the folder's place differ, refreshed when pyproject does.
+# What .venv was made for: it is made anew when Python or the folder's place differ, refreshed when pyproject or the versions do.
 wanted_place() { "$1" -c 'import os, sys; print("place", sys.version.split()[0], ascii(os.getcwd()))'; }
-wanted_content() { echo "content $(cksum <pyproject.toml)"; }
+wanted_content() { echo "content $(cat pyproject.toml CNCStepper/constraints.txt | cksum)"; }
 
 make_venv() {
     local python=$1 place content
@@ -108,7 +108,8 @@ make_venv() {
     fi
     rm -f "$stamp"
     say "installing the Python packages into .venv (the first time takes a minute or two)"
-    PIP_DISABLE_PIP_VERSION_CHECK=1 .venv/bin/python -m pip install --quiet --editable '.[fast,dev]' >&2 ||
+    PIP_DISABLE_PIP_VERSION_CHECK=1 .venv/bin/python -m pip install --quiet \
+        --constraint CNCStepper/constraints.txt --editable '.[fast,dev]' >&2 ||
         fail "pip could not install the packages that pyproject.toml names: check the network and run make again"
     make_locale
     printf '%s\n%s\n' "$place" "$content" >"$stamp.part"

@@ -117,8 +117,7 @@ class Budget:
     @property
     def left_s(self) -> float:
         """How much time is left, 0 once it is stopped."""
-        used_s = time.monotonic() - self.begun_s
-        self.progress(min(used_s / max(self.time_s, 1e-3), 1.0))
+        used_s = self._report()
         return 0.0 if self.stopped.is_set() else max(self.time_s - used_s, 0.0)
 
     @property
@@ -131,8 +130,19 @@ class Budget:
         self.stopped.set()
 
     def part(self, time_s: float) -> Budget:
-        """Return a budget of at most `time_s` from now, which ends with this one."""
-        return Budget(min(time_s, self.left_s), self.attempts, stopped=self.stopped)
+        """Return a budget of at most `time_s` from now, which ends with this one and reports to it."""
+        left_s = min(time_s, self.left_s)
+        return Budget(left_s, self.attempts, stopped=self.stopped, progress=self._report_part)
+
+    def _report_part(self, share: float) -> None:
+        """Report, whatever share of a part's time is used."""
+        self._report()
+
+    def _report(self) -> float:
+        """Report what share of the time is used, and return that time."""
+        used_s = time.monotonic() - self.begun_s
+        self.progress(min(used_s / max(self.time_s, 1e-3), 1.0))
+        return used_s
 
 
 def turned(polygon: Polygon, rotation_deg: float) -> Polygon:

@@ -32,13 +32,15 @@ from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import Feature, edit, require_parts
 from CNCStepper.workbench.features.catalogue import operation_class
 from CNCStepper.workbench.features.drawings.drawing import Drawing
+from CNCStepper.workbench.features.drawings.nest import Nest, PartValues, set_parts
 from CNCStepper.workbench.features.drawings.shape import Shape
 from CNCStepper.workbench.features.drawings.slices import Slices
 from CNCStepper.workbench.features.drawings.text import Text as TextObject
 from CNCStepper.workbench.features.freehand import Freehand
 from CNCStepper.workbench.features.job import Job
 from CNCStepper.workbench.features.preview import Preview
-from CNCStepper.workbench.features.program import Program, fingerprint, is_of_a_file
+from CNCStepper.workbench.features.program import Program, fingerprint, program_of_file
+from CNCStepper.workbench.features.programs.arrangement import Arrangement, set_sources
 from CNCStepper.workbench.features.tool import Tool
 from CNCStepper.workbench.features.turning.lathe_job import LatheJob
 from CNCStepper.workbench.features.turning.turning_profile import TurningProfile
@@ -182,13 +184,7 @@ def load_program(job: Any, path: str | Path) -> Any:
 
     One that was read from the same file before takes its text. Raises JobError for a file that cannot be read.
     """
-    text, _ = program_file.read(Path(path))
-    found = (obj for obj in job.InList if is_of_a_file(obj) and obj.File == str(path))
-    obj = next(found, None) or _add(job.Document, "App::FeaturePython", Program, {"job": job})
-    obj.Label, obj.File = Path(path).name, str(path)
-    program_file.store(obj, text)
-    job.Message = job.Message  # an output: nothing is out of date by that, but FreeCAD's tree looks at the job again
-    return obj
+    return program_of_file(job, Path(path))
 
 
 def add_profile(document: Any, points: Iterable[str], x_is: str = "diameter") -> Any:
@@ -271,6 +267,52 @@ def slice_solid(slices: Any) -> None:
     from CNCStepper.workbench.document.slice_files import slice_now
 
     slice_now(slices)
+
+
+def add_nest(document: Any, parts: Iterable[Any], **values: Any) -> Any:
+    """Return a new CNCStepper_Nest of drawings, sketches, shapes or operations, an empty group until it is nested.
+
+    `values` by its keys; counts, rotations, grain and priority of the parts by `set_nest_parts`.
+    """
+    return _add(document, "App::DocumentObjectGroupPython", Nest, {"parts": list(parts), **values})
+
+
+def set_nest_parts(nest: Any, parts: Iterable[tuple[Any, dict[str, Any]]]) -> None:
+    """Let a nest have these parts, each with its count, turn, grain and priority."""
+    pairs = list(parts)
+    set_parts(nest, [part for part, _ in pairs], [PartValues(**wanted) for _, wanted in pairs])
+
+
+def nest_parts(nest: Any) -> None:
+    """Place the parts of a CNCStepper_Nest on its sheets, write their drawings, and read these.
+
+    Parts that are locked stay where they are. Raises CNCStepperError for a part or a value that is no good, and then
+    changes nothing.
+    """
+    packages.require()
+    from CNCStepper.workbench.document.nest_files import nest_now
+
+    nest_now(nest, "search")
+
+
+def add_arrangement(job: Any, programs: Iterable[Any], **values: Any) -> Any:
+    """Return a new CNCStepper_Arrangement of jobs, programs and paths of G-code files, for the machine of a job."""
+    obj = _add(job.Document, "App::FeaturePython", Arrangement, {"job": job, **values})
+    found = [Path(each) if isinstance(each, str) else each for each in programs]
+    set_sources(obj, found, [1] * len(found))
+    return obj
+
+
+def arrange_programs(arrangement: Any, placements: Iterable[tuple[int, float, float, float]] | None = None) -> None:
+    """Place the programs of a CNCStepper_Arrangement, write the one checked program of them, and load it.
+
+    placements: number of the program, x_mm, y_mm, rotation_deg of each copy; None: they are placed by a search. Raises
+    CNCStepperError, and then changes nothing.
+    """
+    packages.require()
+    from CNCStepper.workbench.document.arrange_files import arrange_now
+
+    arrange_now(arrangement, placements)
 
 
 def add_text(document: Any, text: str, **values: Any) -> Any:

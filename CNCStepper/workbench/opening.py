@@ -5,7 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench import commands, dock
+from CNCStepper.workbench import commands, dock, first_run
+from CNCStepper.workbench.installation import open_installation
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.messages import NAME, guarded
 from CNCStepper.workbench.viewproviders import tree_tooltips
@@ -27,9 +28,10 @@ def every() -> None:
     What a first cut needs is compiled, where it is not.
     """
     missing_packages.look_again()
-    missing_packages.report_once()
+    missing_packages.report_once(open_installation)
     if not missing_packages.why_not():
         from CNCStepper.workbench.calculation import kernel_warmup
 
         kernel_warmup.begin()
+        first_run.show_once()
     dock.open_if_connected()

@@ -46,7 +46,11 @@ def _addon_manager_folders() -> list[Path]:
 
 
 def own_folder() -> Path:
-    """Return the folder in which FreeCAD keeps additional packages for its Python; it need not exist."""
+    """Return the folder in which FreeCAD keeps additional packages for its Python; it need not exist.
+
+    FreeCAD names it so since 0.21. FreeCAD 0.20 uses the folder above, without a version, and a newer FreeCAD moves
+    what lies there into its own Python's folder, for which compiled packages may not be made.
+    """
     import FreeCAD
 
     base = Path(FreeCAD.getUserAppDataDir()) / "AdditionalPythonPackages"
@@ -72,10 +76,9 @@ def require(*names: str) -> None:
             "package-missing",
             Text("FreeCAD's Python lacks {lacking}", lacking=", ".join(lacking)),
             advice=Text(
-                "run 'make setup' beside the workbench, or let Tools > Addon Manager install them, "
-                "or install them for Python {version_info}.{version_info2} into a folder of their "
-                "own (pip install --target FOLDER) and name it in the environment variable "
-                "CNCSTEPPER_PACKAGES",
+                "choose 'Install packages…' in the CNCStepper menu, or install them for Python "
+                "{version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it "
+                "in the environment variable CNCSTEPPER_PACKAGES",
                 version_info=sys.version_info[0],
                 version_info2=sys.version_info[1],
             ),

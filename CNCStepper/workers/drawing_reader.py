@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The process that reads drawings and slices solids for the window: `python -m CNCStepper.workers.drawing_reader`.
+"""The process that reads drawings, slices and nests for the window: `python -m CNCStepper.workers.drawing_reader`.
 
 It knows nothing of FreeCAD. Each line on standard input is a question in JSON; a newer one ends the work on the one
 before. Each line on standard output is about the newest:
 
     {"mark": 3, "drawing": {"file": PATH, "form": {...}, "limits": {...}}}
     {"mark": 3, "slices": {"solid": PATH, "folder": PATH, "title": TEXT, "form": {...}}}
+    {"mark": 3, "nest": {...}}                    `job/nesting/nest_question.py`
+    {"mark": 3, "arrange": {...}}                 `job/editing/arrange_question.py`
+    {"stop": 3}                                   ends a search with the best so far
 
     {"mark": 3, "share": 0.4}                     what share is done
     {"mark": 3, "answer": {...}}                  the end of it
@@ -20,12 +23,14 @@ import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from threading import Event
 from typing import Any
 
 from CNCStepper.cancellation import interruptible
 from CNCStepper.workers.json_lines import NewestQuestion, Outdated, Questions, Work, serve, tell
 
 SHARE_EVERY_S = 0.2
+Share = Callable[[float], None]
 READING = Work("drawing", "the reading of the drawing", "simplify it, or divide it")
 
 
@@ -64,14 +69,14 @@ class Answers:
     def _answer(self, question: dict[str, Any]) -> dict[str, Any]:
         key = next(key for key in WORK if key in question)
         try:
-            return {"answer": WORK[key](question, self._share)}
+            return {"answer": WORK[key](question, self._share, self._newest.stopped)}
         except Outdated:
             raise
         except Exception as error:  # a fault of ours still has to reach the person who waits
             return {"refused": READING.refused(error)}
 
 
-def _drawing(question: dict[str, Any], share: Callable[[float], None]) -> dict[str, Any]:
+def _drawing(question: dict[str, Any], share: Share, stopped: Event) -> dict[str, Any]:
     from CNCStepper.drawing.repair.problems import RepairLimits
     from CNCStepper.job.drawings.imported_drawing import packed, read_imported
     from CNCStepper.job.shape_forms.drawing_form import DrawingForm
@@ -81,15 +86,29 @@ def _drawing(question: dict[str, Any], share: Callable[[float], None]) -> dict[s
     return packed(read_imported(Path(asked["file"]), form, limits, share))
 
 
-def _slices(question: dict[str, Any], share: Callable[[float], None]) -> dict[str, Any]:
+def _slices(question: dict[str, Any], share: Share, stopped: Event) -> dict[str, Any]:
     from CNCStepper.job.slicing.make_slices import answer_of
 
     return answer_of(question["slices"], share)
 
 
-WORK: dict[str, Callable[[dict[str, Any], Callable[[float], None]], dict[str, Any]]] = {
+def _nest(question: dict[str, Any], share: Share, stopped: Event) -> dict[str, Any]:
+    from CNCStepper.job.nesting.nest_question import answer_of
+
+    return answer_of(question["nest"], share, stopped)
+
+
+def _arrange(question: dict[str, Any], share: Share, stopped: Event) -> dict[str, Any]:
+    from CNCStepper.job.editing.arrange_question import answer_of
+
+    return answer_of(question["arrange"], share, stopped)
+
+
+WORK: dict[str, Callable[[dict[str, Any], Share, Event], dict[str, Any]]] = {
     "drawing": _drawing,
     "slices": _slices,
+    "nest": _nest,
+    "arrange": _arrange,
 }
 
 

@@ -18,6 +18,7 @@ from CNCStepper.errors import CNCStepperError, Text
 
 Questions = SimpleQueue[dict[str, Any]]
 LOOK_EVERY_S = 0.02  # whether a newer question has come
+STOP = "stop"  # the key of a message that ends a search with the best so far
 
 
 class Outdated(Exception):
@@ -25,21 +26,28 @@ class Outdated(Exception):
 
 
 class NewestQuestion:
-    """The newest of a worker's questions: who works on one looks now and then whether there is a newer one."""
+    """The newest of a worker's questions: who works on one looks now and then whether there is a newer one.
+
+    {"stop": MARK} is no question: it sets `stopped` while the question of that mark is worked on, which then ends
+    with the best so far.
+    """
 
     def __init__(self, questions: Questions):
+        self.stopped = threading.Event()
         self._questions = questions
         self._newer: dict[str, Any] | None = None
+        self._mark: Any = None
         self._looked_s = 0.0
 
     def wait(self) -> dict[str, Any]:
         """Return the newest question; wait where there is none."""
-        question, self._newer = self._newer or self._questions.get(), None
-        try:
-            while True:
-                question = self._questions.get_nowait()
-        except Empty:
-            return question
+        question, self._newer = self._newer, None
+        while question is None or not self._questions.empty():
+            told = self._questions.get()
+            question = question if STOP in told else told
+        self._mark = question.get("mark")
+        self.stopped.clear()
+        return question
 
     def look(self) -> None:
         """Raise Outdated where a newer question has come."""
@@ -48,10 +56,14 @@ class NewestQuestion:
             return
         self._looked_s = now_s
         try:
-            self._newer = self._questions.get_nowait()
+            told = self._questions.get_nowait()
         except Empty:
             return
-        raise Outdated
+        if STOP not in told:
+            self._newer = told
+            raise Outdated
+        if told[STOP] == self._mark:
+            self.stopped.set()
 
 
 @dataclass(frozen=True)

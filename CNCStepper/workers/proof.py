@@ -64,9 +64,9 @@ def _answer_turned(folder: Path, name: str) -> None:
         raise JobError("restart-turning", what, advice=advice)
     _tell("read")
     program, machine = read_program(folder)
-    proof, verdict, on_part = prove_question(folder, program, machine, name, read_start(folder))
+    proven = prove_question(folder, program, machine, name, read_start(folder))
     _tell("report")
-    write_turned_answer(folder, proof, verdict, on_part, certificate_of(proof))
+    write_turned_answer(folder, proven.proof, proven.verdict, proven.on_part, certificate_of(proven.proof))
 
 
 def _answer_job(folder: Path, name: str) -> None:

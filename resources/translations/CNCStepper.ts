@@ -244,6 +244,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
@@ -297,6 +301,10 @@
         </message>
         <message>
             <source>By colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -416,6 +424,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Core Diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -497,6 +513,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -633,6 +653,14 @@
         </message>
         <message>
             <source>Drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -784,6 +812,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation type="unfinished"></translation>
         </message>
@@ -888,6 +920,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -940,6 +976,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gap</source>
             <translation type="unfinished"></translation>
         </message>
@@ -953,6 +993,10 @@
         </message>
         <message>
             <source>Good side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1220,6 +1264,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many of each are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many parts are cut free</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1392,6 +1440,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1409,6 +1461,10 @@
         </message>
         <message>
             <source>Job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1728,6 +1784,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Mend</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1769,6 +1829,10 @@
         </message>
         <message>
             <source>Minor Used</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1817,6 +1881,10 @@
         </message>
         <message>
             <source>Of a sheet of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of each part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1869,6 +1937,10 @@
         </message>
         <message>
             <source>Of the tip; 0: that of the insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1948,7 +2020,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part Values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2072,6 +2156,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2176,6 +2268,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2249,6 +2345,10 @@
         </message>
         <message>
             <source>Registration holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2356,6 +2456,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheet Grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet X</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2368,6 +2472,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheets There</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheets of material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2377,6 +2485,10 @@
         </message>
         <message>
             <source>Sheets of the stack</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2393,6 +2505,14 @@
         </message>
         <message>
             <source>Size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Size Y</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2784,6 +2904,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2960,6 +3084,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The place of the work zero in this document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2989,6 +3117,10 @@
         </message>
         <message>
             <source>The program, kept in this document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The programs and their places</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3220,6 +3352,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3248,6 +3384,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3261,6 +3401,10 @@
         </message>
         <message>
             <source>Unreachable</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3332,6 +3476,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3345,6 +3493,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3452,6 +3608,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3507,6 +3667,14 @@
     <context>
         <name>CNCStepper</name>
         <message>
+            <source>'Install packages' asks first, and needs no administrator. You find it in the menu too.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'Install' fetches them from Python's package index and puts them into:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3540,6 +3708,14 @@
         </message>
         <message>
             <source>0: one degree less than the flank</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0° to 270°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0°, 180°</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3672,6 +3848,10 @@
         </message>
         <message>
             <source>A line of the program that was cut already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A locked part stays where it is; press again to unlock it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3867,7 +4047,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a G-code file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add drawings, sketches or operations of the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3892,6 +4084,10 @@
         </message>
         <message>
             <source>Added between letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3920,6 +4116,14 @@
         </message>
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All packages that CNCStepper works with are there.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3995,6 +4199,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Answer the question for the work zero with Start. On the virtual machine the path is free.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Apply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4028,6 +4236,14 @@
         </message>
         <message>
             <source>Around the jaws; 0: no jaws stand out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arrangement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arranging…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4147,6 +4363,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4211,6 +4431,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>By half of it all cuts are wider than their paths</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>By which share the lathe may be slower than its published step times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4227,7 +4451,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>CNCStepper works with these packages, which the Python {0} of this FreeCAD lacks:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cancel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cancelled: nothing was installed.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4319,6 +4551,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Choose the profile that is nearest to your machine, and enter its travel and speeds.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chuck</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4407,6 +4643,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Connection</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Connection lost</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4467,6 +4707,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Copy of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4512,6 +4760,10 @@
         </message>
         <message>
             <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Counts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4639,6 +4891,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Details</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Device</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4656,6 +4912,10 @@
         </message>
         <message>
             <source>Diameter and height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter at Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4763,6 +5023,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4771,11 +5035,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag parts in the view; with Shift they turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Draw a freehand line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Draw a line: press the left button, move, release. Shift: straight. Esc: end drawing.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Draw a part and cut it on a virtual machine, in seven steps. Nothing is connected.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Draw what is to be cut: a text, a shape, a sketch, a freehand line, or import a drawing. OK when it fits.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4792,6 +5068,14 @@
         </message>
         <message>
             <source>Drawings ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4895,6 +5179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>End the search with the best so far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Ends joined</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4912,6 +5200,10 @@
         </message>
         <message>
             <source>Engraving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Engraving: a map along a point list</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5055,6 +5347,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fill the sheet of the chosen one, or the first, with the marked row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5083,6 +5391,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First corner</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5104,6 +5416,14 @@
         </message>
         <message>
             <source>First number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>First steps</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5195,6 +5515,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>FreeCAD runs as {0}, which nothing can be written into: this folder is outside, and stays with the next one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks numba. All works without, but planning and simulating are slow.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5239,7 +5563,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From a folder…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From a zip…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5256,6 +5592,10 @@
         </message>
         <message>
             <source>From contour {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From files</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5363,6 +5703,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>G73 pecks, chips</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5396,6 +5740,10 @@
         </message>
         <message>
             <source>Gaps up to this are closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gasket: cut out of sheet by plasma</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5443,6 +5791,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Grain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5472,6 +5824,10 @@
         </message>
         <message>
             <source>HDPE plastic</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Half</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5628,6 +5984,10 @@
         </message>
         <message>
             <source>How deep one peck goes; 0: in one go</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How do you want to begin?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5795,6 +6155,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>How many are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5820,6 +6184,10 @@
         </message>
         <message>
             <source>How many joints on each outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many of each are wanted</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5876,6 +6244,10 @@
         </message>
         <message>
             <source>How many; 0: those of the designation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How much of the part is shown</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6027,6 +6399,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Install</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Install from files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Install packages</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Install packages…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Installed. CNCStepper can work now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Interpolation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6067,7 +6459,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its direction that lies along the grain of the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its machine runs and checks the whole program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6096,6 +6496,10 @@
         </message>
         <message>
             <source>Jobs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6231,6 +6635,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leave out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Leave out of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6363,7 +6771,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Locking wheel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Look at a finished job, change its numbers and simulate it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Look at the cut part before it is cut, and at what the checks have found. Then close the panel.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6384,6 +6804,10 @@
         </message>
         <message>
             <source>Looking for a Python…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Looking for pip…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6451,6 +6875,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Make a job: it holds the machine, the size of the stock and the tools. OK takes what is proposed.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Make shorter…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6488,6 +6916,10 @@
         </message>
         <message>
             <source>Material that a round tool leaves at the ends of the long axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Material that stays between two cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6544,6 +6976,10 @@
         </message>
         <message>
             <source>Mirror…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6647,7 +7083,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nesting the pieces: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting: {0} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6703,6 +7151,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>None</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nose radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6747,6 +7199,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nothing was installed.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6776,6 +7232,10 @@
         </message>
         <message>
             <source>Of a sheet of material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of each part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6839,6 +7299,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6888,6 +7352,10 @@
         </message>
         <message>
             <source>Open a G-code file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open an example</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7027,6 +7495,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parts of a larger number are placed first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Passes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7107,7 +7587,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Place all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all copies that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place all parts that are not locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Place of the mirror, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Placements</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7116,6 +7616,10 @@
         </message>
         <message>
             <source>Plasma</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plate: holes, pockets and a contour</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7331,6 +7835,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7488,6 +7996,18 @@
         </message>
         <message>
             <source>Remaining</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnants: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Remnant…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7731,6 +8251,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Select the drawing in the tree, then choose how it is cut: engrave it, clear it as a pocket, or cut along its contour. OK when the depth is right.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7755,6 +8279,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send it. Leave the port on 'Virtual grbl (no machine)' and press Connect: nothing can break.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Send this restart…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7767,7 +8295,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Set up my machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shaft: turned on a lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7815,6 +8351,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sheets that carry parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shield</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7851,6 +8391,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Sign: letters, a pocket and an outline with tabs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7864,6 +8408,10 @@
         </message>
         <message>
             <source>Simulate again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Simulation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8155,6 +8703,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8171,11 +8723,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the chosen part from its sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the dial's reading from both sides first.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Take the line numbers out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the marked rows out of the nest</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8360,6 +8924,10 @@
         </message>
         <message>
             <source>The direction of the front edge away from the nose, from Z+ towards X+</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The direction of the material's grain</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8647,6 +9215,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The path of the last job is read…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8719,6 +9291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The programs and their places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The radius of loops at sharp outside corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8736,6 +9312,10 @@
         </message>
         <message>
             <source>The retract along the cut is being checked…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rotations in which it may lie</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8939,6 +9519,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>There is nothing that fits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8952,6 +9536,10 @@
         </message>
         <message>
             <source>Thickness of the web</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This card does not come again by itself: it is in the menu CNCStepper, First steps.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8972,6 +9560,10 @@
         </message>
         <message>
             <source>Thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Three quarters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9035,10 +9627,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>To the begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9072,6 +9660,10 @@
         </message>
         <message>
             <source>Tool change</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tool diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9151,6 +9743,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Try without hardware</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn the chosen part to its next rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9215,11 +9819,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use a drawing of a rest of a sheet first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Use the tool of the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Use whole sheets only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>V-bit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9247,6 +9863,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Watch it cut. Hold stops the feed and Resume goes on; Stop ends it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Water jet</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9259,7 +9879,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
+            <source>What is one step, on or back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9303,6 +9923,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where along the axis the diameter is read; a click on the part sets it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where it begins; 0: that of the profile or the usual fit</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9312,6 +9936,10 @@
         </message>
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the copies lie</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9328,6 +9956,14 @@
         </message>
         <message>
             <source>Where the line ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9411,6 +10047,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Whole part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Why it cannot be made; empty when it can</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9467,6 +10107,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Wing rib: out of foam by a hot wire</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wire cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9483,7 +10127,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the one checked program of all copies</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9539,6 +10195,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Your first part is cut. A real machine goes the same road: set it up under Machines first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Z of the cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9564,6 +10224,10 @@
         </message>
         <message>
             <source>Zero's place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Zip with packages ({0})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9656,6 +10320,10 @@
         </message>
         <message>
             <source>angle about Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>any</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9855,6 +10523,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>click on the part, or type a Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>climb</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9996,6 +10668,10 @@
         </message>
         <message>
             <source>follows the path exactly</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>for the command line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10151,6 +10827,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>locked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>low</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10231,6 +10911,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no material there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no switch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10260,6 +10944,10 @@
         </message>
         <message>
             <source>nothing to correct</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>numba makes it fast from the next start of FreeCAD on.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10475,6 +11163,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>raw surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>rear</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10667,6 +11359,26 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>to make programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to nest parts on sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to plan and simulate fast</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to reach a machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>to read and write files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>to the nearest edge</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10831,6 +11543,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} parts on {1} sheets, {2} missing; the sheets are used to {3} %</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10903,6 +11619,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}: its file has changed; Reload in the tree takes it anew</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10928,6 +11648,14 @@
         </message>
         <message>
             <source>… and {0} more lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>⌀ {0}, bore ⌀ {1}</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
@@ -11031,6 +11759,10 @@
         </message>
         <message>
             <source>'{line}' is no row of a profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{name}' holds no lines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11458,6 +12190,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Fetching {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fetching {name} ({size})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First eye</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11790,6 +12530,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>No module named pip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>O-words are nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12011,6 +12755,10 @@
         </message>
         <message>
             <source>Width of the slot</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Writing {count} packages</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12466,6 +13214,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a package that is to be replaced is in use</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a parallel port has 25 pins, and one below zero is active low</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12479,6 +13231,10 @@
         </message>
         <message>
             <source>a part of another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a part or a value has changed since the parts were nested</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12571,6 +13327,10 @@
         </message>
         <message>
             <source>a program on the controller stopped at an error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program or a value has changed since they were arranged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12930,6 +13690,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add jobs, programs or files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13127,6 +13891,10 @@
         </message>
         <message>
             <source>arcs outside the plane XY</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>arrange them again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13442,6 +14210,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>build the zip for it: make installer PYTHONS={version}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bytes when it is unpacked</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13582,6 +14354,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>check the computer's clock, ask who runs the network for its certificate and set the environment variable PIP_CERT to that file, {zip}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>check the depth, or lay a spoil board under the stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13615,6 +14391,10 @@
         </message>
         <message>
             <source>chip_load_min_mm must not exceed chip_load_max_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose 'Install packages…' in the CNCStepper menu, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13706,6 +14486,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13746,6 +14530,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose the job whose machine runs it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose the job's material</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13755,6 +14543,10 @@
         </message>
         <message>
             <source>choose the right machine profile, or correct the settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose the zip of 'make installer', or the folder in which its .whl files are</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13771,6 +14563,10 @@
         </message>
         <message>
             <source>clearance_mm must not be below retract_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close all FreeCAD windows, start FreeCAD, and install before anything else</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13874,6 +14670,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>connect to the internet and try again, {zip}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>constant surface speed became a speed a move</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13891,6 +14691,10 @@
         </message>
         <message>
             <source>coordinates alone may not follow {motion_name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>copy it again and compare its size</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14391,6 +15195,10 @@
         </message>
         <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enter the proxy in FreeCAD (Preferences &gt; Addon Manager) with its name and password, as http://name:password@host:port, {zip}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15070,6 +15878,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>install Python {version} (Debian and Ubuntu: sudo apt-get install python3-pip), or set the environment variable {variable} to the path of one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>install it (Debian and Ubuntu: sudo apt-get install python3-pip), {zip}, which brings a pip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>install it again, or choose another font</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15363,6 +16179,10 @@
         </message>
         <message>
             <source>it was compressed or encrypted anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it was not placed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15870,6 +16690,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>look at the details, and report them where they do not help</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at the machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16014,6 +16838,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make room (the packages take about 400 MB) and try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16043,6 +16871,10 @@
         </message>
         <message>
             <source>make the corner radius smaller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make the folder writable for yourself; nothing needs an administrator</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16386,6 +17218,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nest them again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16395,6 +17231,10 @@
         </message>
         <message>
             <source>nichrome 0.4 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no Python {version} is found outside FreeCAD to run pip with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16518,6 +17358,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no part is chosen</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no pass is narrower than a micron or wider than 10 m</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16627,6 +17471,10 @@
         </message>
         <message>
             <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no wheels in</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16978,6 +17826,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>or press 'From files' and take the zip that 'make installer' has built on a computer with internet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>order table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17086,11 +17938,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pip could not install the packages: {said}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pitch_mm is lowered to {pitch_mm:.3f} mm, for the helix must not fall by more than {most_deg:g}°</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>place not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>place the copies elsewhere</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17143,6 +18003,10 @@
         </message>
         <message>
             <source>prepare this program's own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press on one in the 3D view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17498,10 +18362,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>run this job with cncstepper run</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17591,6 +18451,10 @@
         </message>
         <message>
             <source>select a sketch, wires, faces or edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>select drawings or sketches and add them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18110,6 +18974,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take it out of the parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take it out of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18246,6 +19114,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the Python that belongs to this FreeCAD has no pip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the USB board's controller</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18323,6 +19195,10 @@
         </message>
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the arrangement has no job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18874,6 +19750,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the disk is full</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the document unpacks to too much</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19238,11 +20118,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the folder for packages cannot be written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the folder is a link</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the folder of sessions cannot be used: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the folder or zip has no {packages} for Python {version} on {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19942,6 +20830,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the package index cannot be reached</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the packing of a strip</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20354,6 +21246,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the proxy of this network does not let pip through</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pulses have ended</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20499,6 +21395,10 @@
         </message>
         <message>
             <source>the section of sheet {number} is not closed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the secure connection to the package index was refused, as in a network that looks into it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21050,6 +21950,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the zip is damaged or not whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21087,6 +21991,14 @@
         </message>
         <message>
             <source>there are A to Z for pulses and {0} for devices</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are no packages in the folder or zip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are no parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21135,6 +22047,14 @@
         </message>
         <message>
             <source>there is no dialect '{base}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no drawing '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no file for the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21251,6 +22171,10 @@
         </message>
         <message>
             <source>there is no {name} of that name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no {packages} for Python {version} on {system}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21815,6 +22739,10 @@
         </message>
         <message>
             <source>use X or Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a FreeCAD of freecad.org, whose Python has all packages</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22882,6 +23810,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} of {name}: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23811,6 +24743,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Arrangement</name>
+        <message>
+            <source>Arrange programs…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Bore</name>
         <message>
             <source>Bore</source>
@@ -23932,6 +24875,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_FirstSteps</name>
+        <message>
+            <source>First steps…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Three ways to begin: a tour without a machine, your machine, an example</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Freehand</name>
         <message>
             <source>Draws a line with the mouse: press, move, release</source>
@@ -23961,6 +24915,17 @@
         </message>
         <message>
             <source>Import tools…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Install</name>
+        <message>
+            <source>Install packages…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Installs the Python packages that are missing, from the internet or from files</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
@@ -24005,6 +24970,17 @@
         </message>
         <message>
             <source>Move up</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Nest</name>
+        <message>
+            <source>Nest on sheets…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Places the selected drawings on sheets of material, as often as they are wanted</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -244,6 +244,10 @@
             <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation>Entre os cortes de duas cópias</translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation>Entre os flancos de uma ferramenta de roscar; 0: o da pastilha</translation>
         </message>
@@ -298,6 +302,10 @@
         <message>
             <source>By colour</source>
             <translation>Por cor</translation>
+        </message>
+        <message>
+            <source>By half of it all cuts are wider than their paths</source>
+            <translation>Pela metade dele os cortes são mais largos que os caminhos</translation>
         </message>
         <message>
             <source>By which the radius grows towards the chuck</source>
@@ -416,6 +424,14 @@
             <translation>Refrigeração</translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation>Cópias na superfície de trabalho</translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation>Cópias colocadas pela busca podem ser giradas</translation>
+        </message>
+        <message>
             <source>Core Diameter</source>
             <translation>Diâmetro do núcleo</translation>
         </message>
@@ -498,6 +514,10 @@
         <message>
             <source>Count</source>
             <translation>Quantidade</translation>
+        </message>
+        <message>
+            <source>Counts</source>
+            <translation>Quantidades</translation>
         </message>
         <message>
             <source>Crest diameter</source>
@@ -634,6 +654,14 @@
         <message>
             <source>Drawings</source>
             <translation>Desenhos</translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation>Desenhos de retalhos de chapas, que são usados primeiro</translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
+            <translation>Desenhos, esboços, formas e operações cujos contornos são aninhados</translation>
         </message>
         <message>
             <source>Dwell</source>
@@ -784,6 +812,10 @@
             <translation>Estado do arquivo</translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation>Arquivos</translation>
+        </message>
+        <message>
             <source>Finish</source>
             <translation>Acabamento</translation>
         </message>
@@ -888,6 +920,10 @@
             <translation>De Z</translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation>De um corte à borda da chapa</translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation>De uma peça à borda da chapa</translation>
         </message>
@@ -940,6 +976,10 @@
             <translation>Aresta dianteira</translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation>Arquivos de código G</translation>
+        </message>
+        <message>
             <source>Gap</source>
             <translation>Vão</translation>
         </message>
@@ -954,6 +994,10 @@
         <message>
             <source>Good side</source>
             <translation>Lado bom</translation>
+        </message>
+        <message>
+            <source>Grain</source>
+            <translation>Veio</translation>
         </message>
         <message>
             <source>Greatest Depth</source>
@@ -1220,6 +1264,10 @@
             <translation>Quantas pontes em cada contorno</translation>
         </message>
         <message>
+            <source>How many of each are wanted</source>
+            <translation>Quantos de cada um são pedidos</translation>
+        </message>
+        <message>
             <source>How many parts are cut free</source>
             <translation>Quantas peças são soltas</translation>
         </message>
@@ -1392,6 +1440,10 @@
             <translation>Sua designação: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</translation>
         </message>
         <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation>A máquina dele executa e verifica o programa inteiro</translation>
+        </message>
+        <message>
             <source>Its name in job files</source>
             <translation>Seu nome nos arquivos de trabalho</translation>
         </message>
@@ -1410,6 +1462,10 @@
         <message>
             <source>Job</source>
             <translation>Trabalho</translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
+            <translation>Trabalhos e programas do documento</translation>
         </message>
         <message>
             <source>Join</source>
@@ -1728,6 +1784,10 @@
             <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
         </message>
         <message>
+            <source>Material that stays between two cuts</source>
+            <translation>Material que fica entre dois cortes</translation>
+        </message>
+        <message>
             <source>Mend</source>
             <translation>Reparar</translation>
         </message>
@@ -1770,6 +1830,10 @@
         <message>
             <source>Minor Used</source>
             <translation>Diâmetro menor usado</translation>
+        </message>
+        <message>
+            <source>Missing</source>
+            <translation>Faltam</translation>
         </message>
         <message>
             <source>Most Turns</source>
@@ -1818,6 +1882,10 @@
         <message>
             <source>Of a sheet of material</source>
             <translation>De uma chapa de material</translation>
+        </message>
+        <message>
+            <source>Of each part</source>
+            <translation>De cada peça</translation>
         </message>
         <message>
             <source>Of its curves</source>
@@ -1870,6 +1938,10 @@
         <message>
             <source>Of the tip; 0: that of the insert</source>
             <translation>Da ponta; 0: o da pastilha</translation>
+        </message>
+        <message>
+            <source>Of the work surface</source>
+            <translation>Da superfície de trabalho</translation>
         </message>
         <message>
             <source>Of the written program</source>
@@ -1948,8 +2020,20 @@
             <translation>Parte</translation>
         </message>
         <message>
+            <source>Part Values</source>
+            <translation>Valores das peças</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation>Peças em todas as chapas</translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation>Peças sem lugar</translation>
         </message>
         <message>
             <source>Passes</source>
@@ -2072,6 +2156,14 @@
             <translation>Ângulo inicial</translation>
         </message>
         <message>
+            <source>Placed</source>
+            <translation>Colocadas</translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation>Posições</translation>
+        </message>
+        <message>
             <source>Places</source>
             <translation>Lugares</translation>
         </message>
@@ -2176,6 +2268,10 @@
             <translation>Saída</translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation>Quartos de volta</translation>
+        </message>
+        <message>
             <source>Radial Passes</source>
             <translation>Passes radiais</translation>
         </message>
@@ -2250,6 +2346,10 @@
         <message>
             <source>Registration holes</source>
             <translation>Furos de registro</translation>
+        </message>
+        <message>
+            <source>Remnants</source>
+            <translation>Retalhos</translation>
         </message>
         <message>
             <source>Repair</source>
@@ -2356,6 +2456,10 @@
             <translation>Número de chapas</translation>
         </message>
         <message>
+            <source>Sheet Grain</source>
+            <translation>Veio da chapa</translation>
+        </message>
+        <message>
             <source>Sheet X</source>
             <translation>Chapa X</translation>
         </message>
@@ -2368,6 +2472,10 @@
             <translation>Chapas</translation>
         </message>
         <message>
+            <source>Sheets There</source>
+            <translation>Chapas disponíveis</translation>
+        </message>
+        <message>
             <source>Sheets of material</source>
             <translation>Chapas de material</translation>
         </message>
@@ -2378,6 +2486,10 @@
         <message>
             <source>Sheets of the stack</source>
             <translation>Chapas da pilha</translation>
+        </message>
+        <message>
+            <source>Sheets that carry parts</source>
+            <translation>Chapas que têm peças</translation>
         </message>
         <message>
             <source>Shorter than</source>
@@ -2394,6 +2506,14 @@
         <message>
             <source>Size</source>
             <translation>Tamanho</translation>
+        </message>
+        <message>
+            <source>Size X</source>
+            <translation>Tamanho X</translation>
+        </message>
+        <message>
+            <source>Size Y</source>
+            <translation>Tamanho Y</translation>
         </message>
         <message>
             <source>Slant</source>
@@ -2784,6 +2904,10 @@
             <translation>A direção da aresta dianteira a partir da ponta, de Z+ para X+</translation>
         </message>
         <message>
+            <source>The direction of the material's grain</source>
+            <translation>A direção do veio do material</translation>
+        </message>
+        <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
             <translation>O documento e o nome do próprio objeto; uma cópia ainda tem os do original</translation>
         </message>
@@ -2960,6 +3084,10 @@
             <translation>As peças e corpos com os quais os desenhos se movem</translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation>As peças e os valores</translation>
+        </message>
+        <message>
             <source>The place of the work zero in this document</source>
             <translation>Onde fica o zero-peça neste documento</translation>
         </message>
@@ -2990,6 +3118,10 @@
         <message>
             <source>The program, kept in this document</source>
             <translation>O programa, guardado neste documento</translation>
+        </message>
+        <message>
+            <source>The programs and their places</source>
+            <translation>Os programas e seus lugares</translation>
         </message>
         <message>
             <source>The radius of loops at sharp outside corners</source>
@@ -3220,6 +3352,10 @@
             <translation>Forma da ferramenta</translation>
         </message>
         <message>
+            <source>Tool diameter</source>
+            <translation>Diâmetro da ferramenta</translation>
+        </message>
+        <message>
             <source>Tools</source>
             <translation>Ferramentas</translation>
         </message>
@@ -3248,6 +3384,10 @@
             <translation>Traça o que é claro em vez do que é escuro</translation>
         </message>
         <message>
+            <source>Turn</source>
+            <translation>Girar</translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
         </message>
@@ -3262,6 +3402,10 @@
         <message>
             <source>Unreachable</source>
             <translation>Inalcançável</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Valores</translation>
         </message>
         <message>
             <source>Wall Z</source>
@@ -3332,6 +3476,10 @@
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
         </message>
         <message>
+            <source>Where the copies lie</source>
+            <translation>Onde estão as cópias</translation>
+        </message>
+        <message>
             <source>Where the drawings are written; empty: beside the document</source>
             <translation>Onde os desenhos são gravados; vazio: ao lado do documento</translation>
         </message>
@@ -3346,6 +3494,14 @@
         <message>
             <source>Where the line ends</source>
             <translation>Onde a linha termina</translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation>Onde estão as peças</translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
+            <translation>Onde o programa é gravado; vazio: ao lado do documento</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -3452,6 +3608,10 @@
             <translation>Sistema de coordenadas</translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation>Superfície de trabalho</translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation>Zero-peça</translation>
         </message>
@@ -3507,6 +3667,14 @@
     <context>
         <name>CNCStepper</name>
         <message>
+            <source>'Install packages' asks first, and needs no administrator. You find it in the menu too.</source>
+            <translation>'Instalar pacotes' pergunta antes e não precisa de administrador. Também está no menu.</translation>
+        </message>
+        <message>
+            <source>'Install' fetches them from Python's package index and puts them into:</source>
+            <translation>'Instalar' busca os pacotes no índice de pacotes do Python e os põe em:</translation>
+        </message>
+        <message>
             <source>'{0}' has no meaning in a number</source>
             <translation>'{0}' não faz sentido em um número</translation>
         </message>
@@ -3541,6 +3709,14 @@
         <message>
             <source>0: one degree less than the flank</source>
             <translation>0: um grau menos que o flanco</translation>
+        </message>
+        <message>
+            <source>0° to 270°</source>
+            <translation>0° a 270°</translation>
+        </message>
+        <message>
+            <source>0°, 180°</source>
+            <translation>0°, 180°</translation>
         </message>
         <message>
             <source>1 to 9, where the tip lies; 0: by kind and hand</source>
@@ -3673,6 +3849,10 @@
         <message>
             <source>A line of the program that was cut already.</source>
             <translation>Uma linha do programa que já foi cortada.</translation>
+        </message>
+        <message>
+            <source>A locked part stays where it is; press again to unlock it</source>
+            <translation>Uma peça travada fica onde está; pressione de novo para destravar</translation>
         </message>
         <message>
             <source>A lower feed at corners</source>
@@ -3867,8 +4047,20 @@
             <translation>Adicionar</translation>
         </message>
         <message>
+            <source>Add a G-code file</source>
+            <translation>Adicionar um arquivo de código G</translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
             <translation>Adiciona uma ferramenta a este trabalho</translation>
+        </message>
+        <message>
+            <source>Add drawings, sketches or operations of the document</source>
+            <translation>Adicionar desenhos, esboços ou operações do documento</translation>
+        </message>
+        <message>
+            <source>Add jobs and programs of the document</source>
+            <translation>Adicionar trabalhos e programas do documento</translation>
         </message>
         <message>
             <source>Add selected</source>
@@ -3893,6 +4085,10 @@
         <message>
             <source>Added between letters</source>
             <translation>Acrescentado entre as letras</translation>
+        </message>
+        <message>
+            <source>Add…</source>
+            <translation>Adicionar…</translation>
         </message>
         <message>
             <source>After {0}</source>
@@ -3921,6 +4117,14 @@
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
             <translation>Todas as linhas foram enviadas; os últimos movimentos estão sendo usinados.</translation>
+        </message>
+        <message>
+            <source>All of them</source>
+            <translation>Todos</translation>
+        </message>
+        <message>
+            <source>All packages that CNCStepper works with are there.</source>
+            <translation>Todos os pacotes com que o CNCStepper trabalha estão instalados.</translation>
         </message>
         <message>
             <source>All, the outline, or the holes in it</source>
@@ -3995,6 +4199,10 @@
             <translation>Outra máquina?</translation>
         </message>
         <message>
+            <source>Answer the question for the work zero with Start. On the virtual machine the path is free.</source>
+            <translation>Responda à pergunta do zero da peça com Iniciar. Na máquina virtual o caminho está livre.</translation>
+        </message>
+        <message>
             <source>Apply</source>
             <translation>Aplicar</translation>
         </message>
@@ -4029,6 +4237,14 @@
         <message>
             <source>Around the jaws; 0: no jaws stand out</source>
             <translation>Em volta das castanhas; 0: nenhuma castanha sobressai</translation>
+        </message>
+        <message>
+            <source>Arrangement</source>
+            <translation>Disposição</translation>
+        </message>
+        <message>
+            <source>Arranging…</source>
+            <translation>Dispondo…</translation>
         </message>
         <message>
             <source>Arrow</source>
@@ -4147,6 +4363,10 @@
             <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
+            <source>Between the cuts of two copies</source>
+            <translation>Entre os cortes de duas cópias</translation>
+        </message>
+        <message>
             <source>Between the flanks of a threading tool; 0: that of the insert</source>
             <translation>Entre os flancos de uma ferramenta de roscar; 0: o da pastilha</translation>
         </message>
@@ -4211,6 +4431,10 @@
             <translation>Por cor</translation>
         </message>
         <message>
+            <source>By half of it all cuts are wider than their paths</source>
+            <translation>Pela metade dele os cortes são mais largos que os caminhos</translation>
+        </message>
+        <message>
             <source>By which share the lathe may be slower than its published step times</source>
             <translation>Que fração o torno pode ser mais lento que seus tempos de passo publicados</translation>
         </message>
@@ -4227,8 +4451,16 @@
             <translation>O CNCStepper tem uma falha: {0}</translation>
         </message>
         <message>
+            <source>CNCStepper works with these packages, which the Python {0} of this FreeCAD lacks:</source>
+            <translation>O CNCStepper trabalha com estes pacotes, que faltam no Python {0} deste FreeCAD:</translation>
+        </message>
+        <message>
             <source>Cancel</source>
             <translation>Cancelar</translation>
+        </message>
+        <message>
+            <source>Cancelled: nothing was installed.</source>
+            <translation>Cancelado: nada foi instalado.</translation>
         </message>
         <message>
             <source>Canned cycles</source>
@@ -4319,6 +4551,10 @@
             <translation>Escolha aqui</translation>
         </message>
         <message>
+            <source>Choose the profile that is nearest to your machine, and enter its travel and speeds.</source>
+            <translation>Escolha o perfil mais próximo da sua máquina e informe cursos e velocidades.</translation>
+        </message>
+        <message>
             <source>Chuck</source>
             <translation>Placa</translation>
         </message>
@@ -4407,6 +4643,10 @@
             <translation>Conectando…</translation>
         </message>
         <message>
+            <source>Connection</source>
+            <translation>Conexão</translation>
+        </message>
+        <message>
             <source>Connection lost</source>
             <translation>Conexão perdida</translation>
         </message>
@@ -4467,6 +4707,14 @@
             <translation>Refrigeração</translation>
         </message>
         <message>
+            <source>Copies on the work surface</source>
+            <translation>Cópias na superfície de trabalho</translation>
+        </message>
+        <message>
+            <source>Copies that are placed by the search may be turned</source>
+            <translation>Cópias colocadas pela busca podem ser giradas</translation>
+        </message>
+        <message>
             <source>Copy of {0}</source>
             <translation>Cópia de {0}</translation>
         </message>
@@ -4513,6 +4761,10 @@
         <message>
             <source>Count</source>
             <translation>Quantidade</translation>
+        </message>
+        <message>
+            <source>Counts</source>
+            <translation>Quantidades</translation>
         </message>
         <message>
             <source>Crescent</source>
@@ -4639,6 +4891,10 @@
             <translation>Profundidade até</translation>
         </message>
         <message>
+            <source>Details</source>
+            <translation>Detalhes</translation>
+        </message>
+        <message>
             <source>Device</source>
             <translation>Dispositivo</translation>
         </message>
@@ -4657,6 +4913,10 @@
         <message>
             <source>Diameter and height</source>
             <translation>Diâmetro e altura</translation>
+        </message>
+        <message>
+            <source>Diameter at Z</source>
+            <translation>Diâmetro em Z</translation>
         </message>
         <message>
             <source>Diameter cut away</source>
@@ -4763,6 +5023,10 @@
             <translation>Duplicadas</translation>
         </message>
         <message>
+            <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
+            <translation>Arraste uma peça para movê-la, com Shift para girá-la; Delete a retira</translation>
+        </message>
+        <message>
             <source>Drag a point to move it, the line to add one; Delete takes the point under the pointer. Esc: done.</source>
             <translation>Arraste um ponto para movê-lo, a linha para adicionar um; Delete exclui o ponto sob o cursor. Esc: terminar.</translation>
         </message>
@@ -4771,12 +5035,24 @@
             <translation>Faca de arrasto</translation>
         </message>
         <message>
+            <source>Drag parts in the view; with Shift they turn</source>
+            <translation>Arraste as peças na vista; com Shift elas giram</translation>
+        </message>
+        <message>
             <source>Draw a freehand line</source>
             <translation>Desenhar linha à mão livre</translation>
         </message>
         <message>
             <source>Draw a line: press the left button, move, release. Shift: straight. Esc: end drawing.</source>
             <translation>Desenhe uma linha: pressione o botão esquerdo, mova, solte. Shift: reta. Esc: encerrar o desenho.</translation>
+        </message>
+        <message>
+            <source>Draw a part and cut it on a virtual machine, in seven steps. Nothing is connected.</source>
+            <translation>Desenhe uma peça e corte-a em uma máquina virtual, em sete passos. Nada é conectado.</translation>
+        </message>
+        <message>
+            <source>Draw what is to be cut: a text, a shape, a sketch, a freehand line, or import a drawing. OK when it fits.</source>
+            <translation>Desenhe o que será cortado: um texto, uma forma, um esboço, uma linha à mão livre, ou importe um desenho. OK quando servir.</translation>
         </message>
         <message>
             <source>Drawing</source>
@@ -4793,6 +5069,14 @@
         <message>
             <source>Drawings ({0})</source>
             <translation>Desenhos ({0})</translation>
+        </message>
+        <message>
+            <source>Drawings of rests of sheets, which are used first</source>
+            <translation>Desenhos de retalhos de chapas, que são usados primeiro</translation>
+        </message>
+        <message>
+            <source>Drawings, sketches, shapes and operations whose outlines are nested</source>
+            <translation>Desenhos, esboços, formas e operações cujos contornos são aninhados</translation>
         </message>
         <message>
             <source>Drawn twice</source>
@@ -4895,6 +5179,10 @@
             <translation>Ângulo final</translation>
         </message>
         <message>
+            <source>End the search with the best so far</source>
+            <translation>Terminar a busca com o melhor até agora</translation>
+        </message>
+        <message>
             <source>Ends joined</source>
             <translation>Pontas unidas</translation>
         </message>
@@ -4913,6 +5201,10 @@
         <message>
             <source>Engraving</source>
             <translation>Gravação</translation>
+        </message>
+        <message>
+            <source>Engraving: a map along a point list</source>
+            <translation>Gravação: um mapa por uma lista de pontos</translation>
         </message>
         <message>
             <source>Enter from</source>
@@ -5055,6 +5347,22 @@
             <translation>Arquivo</translation>
         </message>
         <message>
+            <source>Files</source>
+            <translation>Arquivos</translation>
+        </message>
+        <message>
+            <source>File…</source>
+            <translation>Arquivo…</translation>
+        </message>
+        <message>
+            <source>Fill</source>
+            <translation>Preencher</translation>
+        </message>
+        <message>
+            <source>Fill the sheet of the chosen one, or the first, with the marked row</source>
+            <translation>Preencher a chapa da escolhida, ou a primeira, com a linha marcada</translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation>Localizar</translation>
         </message>
@@ -5083,6 +5391,10 @@
             <translation>Terminando</translation>
         </message>
         <message>
+            <source>First</source>
+            <translation>Primeiro</translation>
+        </message>
+        <message>
             <source>First corner</source>
             <translation>Primeiro canto</translation>
         </message>
@@ -5105,6 +5417,14 @@
         <message>
             <source>First number</source>
             <translation>Primeiro número</translation>
+        </message>
+        <message>
+            <source>First part</source>
+            <translation>Primeira peça</translation>
+        </message>
+        <message>
+            <source>First steps</source>
+            <translation>Primeiros passos</translation>
         </message>
         <message>
             <source>First wait</source>
@@ -5195,6 +5515,10 @@
             <translation>Liberar o movimento</translation>
         </message>
         <message>
+            <source>FreeCAD runs as {0}, which nothing can be written into: this folder is outside, and stays with the next one.</source>
+            <translation>O FreeCAD roda como {0}, onde nada pode ser gravado: esta pasta fica fora dele e serve também ao próximo.</translation>
+        </message>
+        <message>
             <source>FreeCAD's Python lacks numba. All works without, but planning and simulating are slow.</source>
             <translation>Falta numba no Python do FreeCAD. Tudo funciona sem ele, mas o planejamento e a simulação ficam lentos.</translation>
         </message>
@@ -5239,8 +5563,20 @@
             <translation>De Z</translation>
         </message>
         <message>
+            <source>From a cut to the edge of the sheet</source>
+            <translation>De um corte à borda da chapa</translation>
+        </message>
+        <message>
+            <source>From a folder…</source>
+            <translation>De uma pasta…</translation>
+        </message>
+        <message>
             <source>From a piece to the edge of the sheet</source>
             <translation>De uma peça à borda da chapa</translation>
+        </message>
+        <message>
+            <source>From a zip…</source>
+            <translation>De um zip…</translation>
         </message>
         <message>
             <source>From above</source>
@@ -5257,6 +5593,10 @@
         <message>
             <source>From contour {0}</source>
             <translation>A partir do contorno {0}</translation>
+        </message>
+        <message>
+            <source>From files</source>
+            <translation>De arquivos</translation>
         </message>
         <message>
             <source>From here down the tool feeds</source>
@@ -5363,6 +5703,10 @@
             <translation>F{0} mm/volta</translation>
         </message>
         <message>
+            <source>G-code files</source>
+            <translation>Arquivos de código G</translation>
+        </message>
+        <message>
             <source>G73 pecks, chips</source>
             <translation>G73 quebra-cavaco</translation>
         </message>
@@ -5397,6 +5741,10 @@
         <message>
             <source>Gaps up to this are closed</source>
             <translation>Vãos até isto são fechados</translation>
+        </message>
+        <message>
+            <source>Gasket: cut out of sheet by plasma</source>
+            <translation>Junta: cortada de chapa por plasma</translation>
         </message>
         <message>
             <source>Gear ratio</source>
@@ -5443,6 +5791,10 @@
             <translation>Lado bom</translation>
         </message>
         <message>
+            <source>Grain</source>
+            <translation>Veio</translation>
+        </message>
+        <message>
             <source>Greatest chip load</source>
             <translation>Avanço por dente máximo</translation>
         </message>
@@ -5473,6 +5825,10 @@
         <message>
             <source>HDPE plastic</source>
             <translation>plástico PEAD</translation>
+        </message>
+        <message>
+            <source>Half</source>
+            <translation>Metade</translation>
         </message>
         <message>
             <source>Half the width along its second axis</source>
@@ -5629,6 +5985,10 @@
         <message>
             <source>How deep one peck goes; 0: in one go</source>
             <translation>Quanto entra cada bicada; 0: de uma vez</translation>
+        </message>
+        <message>
+            <source>How do you want to begin?</source>
+            <translation>Como você quer começar?</translation>
         </message>
         <message>
             <source>How far a bar or drill gets along Z, a blade along X; 0: not given</source>
@@ -5795,6 +6155,10 @@
             <translation>Quanto tempo a chama aquece antes da perfuração; 0: o da tabela</translation>
         </message>
         <message>
+            <source>How many are wanted</source>
+            <translation>Quantas são pedidas</translation>
+        </message>
+        <message>
             <source>How many corners and narrow places the tool does not reach into</source>
             <translation>Em quantos cantos e lugares estreitos a ferramenta não entra</translation>
         </message>
@@ -5821,6 +6185,10 @@
         <message>
             <source>How many joints on each outline</source>
             <translation>Quantas pontes em cada contorno</translation>
+        </message>
+        <message>
+            <source>How many of each are wanted</source>
+            <translation>Quantos de cada um são pedidos</translation>
         </message>
         <message>
             <source>How many parts are cut free</source>
@@ -5877,6 +6245,10 @@
         <message>
             <source>How many; 0: those of the designation</source>
             <translation>Quantas; 0: as da designação</translation>
+        </message>
+        <message>
+            <source>How much of the part is shown</source>
+            <translation>Quanto da peça é mostrado</translation>
         </message>
         <message>
             <source>How much of the rim may be in the material at most, as an angle</source>
@@ -6027,6 +6399,26 @@
             <translation>Interior do gancho</translation>
         </message>
         <message>
+            <source>Install</source>
+            <translation>Instalar</translation>
+        </message>
+        <message>
+            <source>Install from files</source>
+            <translation>Instalar de arquivos</translation>
+        </message>
+        <message>
+            <source>Install packages</source>
+            <translation>Instalar pacotes</translation>
+        </message>
+        <message>
+            <source>Install packages…</source>
+            <translation>Instalar pacotes…</translation>
+        </message>
+        <message>
+            <source>Installed. CNCStepper can work now.</source>
+            <translation>Instalado. O CNCStepper já pode trabalhar.</translation>
+        </message>
+        <message>
             <source>Interpolation</source>
             <translation>Interpolação</translation>
         </message>
@@ -6067,8 +6459,16 @@
             <translation>Sua designação: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4</translation>
         </message>
         <message>
+            <source>Its direction that lies along the grain of the material</source>
+            <translation>A direção da peça que fica ao longo do veio do material</translation>
+        </message>
+        <message>
             <source>Its language and its link: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</source>
             <translation>Sua linguagem e sua ligação: grbl, grblhal, fluidnc, linuxcnc, thesis-a …</translation>
+        </message>
+        <message>
+            <source>Its machine runs and checks the whole program</source>
+            <translation>A máquina dele executa e verifica o programa inteiro</translation>
         </message>
         <message>
             <source>Its name in job files</source>
@@ -6097,6 +6497,10 @@
         <message>
             <source>Jobs ({0})</source>
             <translation>Trabalhos ({0})</translation>
+        </message>
+        <message>
+            <source>Jobs and programs of the document</source>
+            <translation>Trabalhos e programas do documento</translation>
         </message>
         <message>
             <source>Jog</source>
@@ -6231,6 +6635,10 @@
             <translation>Sai</translation>
         </message>
         <message>
+            <source>Leave out</source>
+            <translation>Excluir</translation>
+        </message>
+        <message>
             <source>Leave out of the program</source>
             <translation>Deixar fora do programa</translation>
         </message>
@@ -6363,8 +6771,20 @@
             <translation>Carregar {0}</translation>
         </message>
         <message>
+            <source>Lock</source>
+            <translation>Travar</translation>
+        </message>
+        <message>
             <source>Locking wheel</source>
             <translation>Roda de trava</translation>
+        </message>
+        <message>
+            <source>Look at a finished job, change its numbers and simulate it.</source>
+            <translation>Veja um trabalho pronto, mude os números e simule.</translation>
+        </message>
+        <message>
+            <source>Look at the cut part before it is cut, and at what the checks have found. Then close the panel.</source>
+            <translation>Veja a peça antes de cortá-la e o que as verificações acharam. Depois feche o painel.</translation>
         </message>
         <message>
             <source>Look at the findings, then decide.</source>
@@ -6385,6 +6805,10 @@
         <message>
             <source>Looking for a Python…</source>
             <translation>Procurando um Python…</translation>
+        </message>
+        <message>
+            <source>Looking for pip…</source>
+            <translation>Procurando o pip…</translation>
         </message>
         <message>
             <source>Loop radius</source>
@@ -6451,6 +6875,10 @@
             <translation>Crie antes um trabalho, com Novo trabalho</translation>
         </message>
         <message>
+            <source>Make a job: it holds the machine, the size of the stock and the tools. OK takes what is proposed.</source>
+            <translation>Faça um trabalho: ele guarda a máquina, o tamanho do bloco e as ferramentas. OK aceita o que é proposto.</translation>
+        </message>
+        <message>
             <source>Make shorter…</source>
             <translation>Encurtar…</translation>
         </message>
@@ -6489,6 +6917,10 @@
         <message>
             <source>Material that a round tool leaves at the ends of the long axis</source>
             <translation>O que a ferramenta redonda deixa nas pontas do eixo maior</translation>
+        </message>
+        <message>
+            <source>Material that stays between two cuts</source>
+            <translation>Material que fica entre dois cortes</translation>
         </message>
         <message>
             <source>Measured</source>
@@ -6545,6 +6977,10 @@
         <message>
             <source>Mirror…</source>
             <translation>Espelhar…</translation>
+        </message>
+        <message>
+            <source>Missing</source>
+            <translation>Faltam</translation>
         </message>
         <message>
             <source>Mist</source>
@@ -6647,8 +7083,20 @@
             <translation>Arcos estreitos</translation>
         </message>
         <message>
+            <source>Nest</source>
+            <translation>Aninhar</translation>
+        </message>
+        <message>
             <source>Nesting the pieces: {0} %</source>
             <translation>Encaixando as peças: {0} %</translation>
+        </message>
+        <message>
+            <source>Nesting: {0} %</source>
+            <translation>Aninhando: {0} %</translation>
+        </message>
+        <message>
+            <source>Nesting…</source>
+            <translation>Aninhando…</translation>
         </message>
         <message>
             <source>Never farther off than, mm</source>
@@ -6703,6 +7151,10 @@
             <translation>Nenhum lugar foi escolhido ainda.</translation>
         </message>
         <message>
+            <source>None</source>
+            <translation>Nenhum</translation>
+        </message>
+        <message>
             <source>Nose radius</source>
             <translation>Raio da ponta</translation>
         </message>
@@ -6747,6 +7199,10 @@
             <translation>Nada foi encontrado: o programa pode ser enviado.</translation>
         </message>
         <message>
+            <source>Nothing was installed.</source>
+            <translation>Nada foi instalado.</translation>
+        </message>
+        <message>
             <source>Nozzle, lens, wire or blade; empty: the first of the chart for this thickness</source>
             <translation>Bico, lente, fio ou lâmina; vazio: o primeiro da tabela para esta espessura</translation>
         </message>
@@ -6777,6 +7233,10 @@
         <message>
             <source>Of a sheet of material</source>
             <translation>De uma chapa de material</translation>
+        </message>
+        <message>
+            <source>Of each part</source>
+            <translation>De cada peça</translation>
         </message>
         <message>
             <source>Of its curves</source>
@@ -6839,6 +7299,10 @@
             <translation>Da ponta; 0: o da pastilha</translation>
         </message>
         <message>
+            <source>Of the work surface</source>
+            <translation>Da superfície de trabalho</translation>
+        </message>
+        <message>
             <source>Of the written program</source>
             <translation>Do programa gerado</translation>
         </message>
@@ -6889,6 +7353,10 @@
         <message>
             <source>Open a G-code file</source>
             <translation>Abrir um arquivo G-code</translation>
+        </message>
+        <message>
+            <source>Open an example</source>
+            <translation>Abrir um exemplo</translation>
         </message>
         <message>
             <source>Open contour</source>
@@ -7027,6 +7495,18 @@
             <translation>Peças e placas</translation>
         </message>
         <message>
+            <source>Parts of a larger number are placed first</source>
+            <translation>Peças de número maior são colocadas primeiro</translation>
+        </message>
+        <message>
+            <source>Parts on all sheets</source>
+            <translation>Peças em todas as chapas</translation>
+        </message>
+        <message>
+            <source>Parts without a place</source>
+            <translation>Peças sem lugar</translation>
+        </message>
+        <message>
             <source>Passes</source>
             <translation>Passes</translation>
         </message>
@@ -7107,8 +7587,28 @@
             <translation>Lugar</translation>
         </message>
         <message>
+            <source>Place all</source>
+            <translation>Colocar tudo</translation>
+        </message>
+        <message>
+            <source>Place all copies that are not locked</source>
+            <translation>Colocar todas as cópias que não estão travadas</translation>
+        </message>
+        <message>
+            <source>Place all parts that are not locked</source>
+            <translation>Colocar todas as peças que não estão travadas</translation>
+        </message>
+        <message>
             <source>Place of the mirror, mm</source>
             <translation>Onde fica o espelho, mm</translation>
+        </message>
+        <message>
+            <source>Placed</source>
+            <translation>Colocadas</translation>
+        </message>
+        <message>
+            <source>Placements</source>
+            <translation>Posições</translation>
         </message>
         <message>
             <source>Places</source>
@@ -7117,6 +7617,10 @@
         <message>
             <source>Plasma</source>
             <translation>Plasma</translation>
+        </message>
+        <message>
+            <source>Plate: holes, pockets and a contour</source>
+            <translation>Placa: furos, bolsões e um contorno</translation>
         </message>
         <message>
             <source>Play or pause</source>
@@ -7331,6 +7835,10 @@
             <translation>Põe o bloco em torno do que está selecionado, ou dos desenhos das operações</translation>
         </message>
         <message>
+            <source>Quarter turns</source>
+            <translation>Quartos de volta</translation>
+        </message>
+        <message>
             <source>Radius</source>
             <translation>Raio</translation>
         </message>
@@ -7489,6 +7997,18 @@
         <message>
             <source>Remaining</source>
             <translation>Restante</translation>
+        </message>
+        <message>
+            <source>Remnants</source>
+            <translation>Retalhos</translation>
+        </message>
+        <message>
+            <source>Remnants: {0}</source>
+            <translation>Retalhos: {0}</translation>
+        </message>
+        <message>
+            <source>Remnant…</source>
+            <translation>Retalho…</translation>
         </message>
         <message>
             <source>Remove</source>
@@ -7731,6 +8251,10 @@
             <translation>Selecione o que esvaziar: um esboço, fios fechados ou faces de um sólido</translation>
         </message>
         <message>
+            <source>Select the drawing in the tree, then choose how it is cut: engrave it, clear it as a pocket, or cut along its contour. OK when the depth is right.</source>
+            <translation>Selecione o desenho na árvore e escolha como cortá-lo: gravar, abrir um bolsão ou contornar. OK quando a profundidade estiver certa.</translation>
+        </message>
+        <message>
             <source>Select the job in the tree: this document has several</source>
             <translation>Selecione o trabalho na árvore: este documento tem vários</translation>
         </message>
@@ -7755,6 +8279,10 @@
             <translation>Enviar assim mesmo</translation>
         </message>
         <message>
+            <source>Send it. Leave the port on 'Virtual grbl (no machine)' and press Connect: nothing can break.</source>
+            <translation>Envie. Deixe a porta em 'grbl virtual (sem máquina)' e aperte Conectar: nada pode quebrar.</translation>
+        </message>
+        <message>
             <source>Send this restart…</source>
             <translation>Enviar este reinício…</translation>
         </message>
@@ -7767,8 +8295,16 @@
             <translation>Enviado à frente no máximo</translation>
         </message>
         <message>
+            <source>Set up my machine</source>
+            <translation>Configurar minha máquina</translation>
+        </message>
+        <message>
             <source>Setting</source>
             <translation>Composição</translation>
+        </message>
+        <message>
+            <source>Shaft: turned on a lathe</source>
+            <translation>Eixo: torneado</translation>
         </message>
         <message>
             <source>Shank</source>
@@ -7815,6 +8351,10 @@
             <translation>Chapas da pilha</translation>
         </message>
         <message>
+            <source>Sheets that carry parts</source>
+            <translation>Chapas que têm peças</translation>
+        </message>
+        <message>
             <source>Shield</source>
             <translation>Escudo</translation>
         </message>
@@ -7851,6 +8391,10 @@
             <translation>Lados</translation>
         </message>
         <message>
+            <source>Sign: letters, a pocket and an outline with tabs</source>
+            <translation>Letreiro: letras, um bolsão e um contorno com pontes</translation>
+        </message>
+        <message>
             <source>Signals and pins</source>
             <translation>Sinais e pinos</translation>
         </message>
@@ -7865,6 +8409,10 @@
         <message>
             <source>Simulate again</source>
             <translation>Simular de novo</translation>
+        </message>
+        <message>
+            <source>Simulation</source>
+            <translation>Simulação</translation>
         </message>
         <message>
             <source>Size</source>
@@ -8155,6 +8703,10 @@
             <translation>Contraponto</translation>
         </message>
         <message>
+            <source>Take away</source>
+            <translation>Retirar</translation>
+        </message>
+        <message>
             <source>Take into the program</source>
             <translation>Incluir no programa</translation>
         </message>
@@ -8171,12 +8723,24 @@
             <translation>Voltar ao valor da tabela</translation>
         </message>
         <message>
+            <source>Take the chosen part from its sheet</source>
+            <translation>Retirar a peça escolhida da sua chapa</translation>
+        </message>
+        <message>
             <source>Take the dial's reading from both sides first.</source>
             <translation>Faça primeiro a leitura do relógio dos dois lados.</translation>
         </message>
         <message>
             <source>Take the line numbers out</source>
             <translation>Tirar os números de linha</translation>
+        </message>
+        <message>
+            <source>Take the marked rows out</source>
+            <translation>Tirar as linhas marcadas</translation>
+        </message>
+        <message>
+            <source>Take the marked rows out of the nest</source>
+            <translation>Tirar as linhas marcadas do aninhamento</translation>
         </message>
         <message>
             <source>Take the reading</source>
@@ -8361,6 +8925,10 @@
         <message>
             <source>The direction of the front edge away from the nose, from Z+ towards X+</source>
             <translation>A direção da aresta dianteira a partir da ponta, de Z+ para X+</translation>
+        </message>
+        <message>
+            <source>The direction of the material's grain</source>
+            <translation>A direção do veio do material</translation>
         </message>
         <message>
             <source>The document and the name of the object itself; a copy still has those of its original</source>
@@ -8647,6 +9215,10 @@
             <translation>As peças e corpos com os quais os desenhos se movem</translation>
         </message>
         <message>
+            <source>The parts and the values</source>
+            <translation>As peças e os valores</translation>
+        </message>
+        <message>
             <source>The path of the last job is read…</source>
             <translation>O caminho do último trabalho está sendo lido…</translation>
         </message>
@@ -8719,6 +9291,10 @@
             <translation>O programa, guardado neste documento</translation>
         </message>
         <message>
+            <source>The programs and their places</source>
+            <translation>Os programas e seus lugares</translation>
+        </message>
+        <message>
             <source>The radius of loops at sharp outside corners</source>
             <translation>O raio dos laços em cantos externos vivos</translation>
         </message>
@@ -8737,6 +9313,10 @@
         <message>
             <source>The retract along the cut is being checked…</source>
             <translation>O caminho ao longo do corte está sendo verificado…</translation>
+        </message>
+        <message>
+            <source>The rotations in which it may lie</source>
+            <translation>As rotações em que pode ficar</translation>
         </message>
         <message>
             <source>The section of a beam, about the zero.</source>
@@ -8939,6 +9519,10 @@
             <translation>Ainda não há reinício para enviar.</translation>
         </message>
         <message>
+            <source>There is nothing that fits</source>
+            <translation>Não há nada que sirva</translation>
+        </message>
+        <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation>Estes perfis têm mudanças não salvas: {0}</translation>
         </message>
@@ -8953,6 +9537,10 @@
         <message>
             <source>Thickness of the web</source>
             <translation>Espessura da alma</translation>
+        </message>
+        <message>
+            <source>This card does not come again by itself: it is in the menu CNCStepper, First steps.</source>
+            <translation>Este cartão não volta sozinho: está no menu CNCStepper, Primeiros passos.</translation>
         </message>
         <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
@@ -8973,6 +9561,10 @@
         <message>
             <source>Thread</source>
             <translation>Rosquear</translation>
+        </message>
+        <message>
+            <source>Three quarters</source>
+            <translation>Três quartos</translation>
         </message>
         <message>
             <source>Threshold</source>
@@ -9035,10 +9627,6 @@
             <translation>Até o diâmetro</translation>
         </message>
         <message>
-            <source>To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:</source>
-            <translation>Para obter o que falta, digite em um terminal, com Python {0}, e reinicie o FreeCAD:</translation>
-        </message>
-        <message>
             <source>To the begin</source>
             <translation>Ao início</translation>
         </message>
@@ -9073,6 +9661,10 @@
         <message>
             <source>Tool change</source>
             <translation>Troca de ferramenta</translation>
+        </message>
+        <message>
+            <source>Tool diameter</source>
+            <translation>Diâmetro da ferramenta</translation>
         </message>
         <message>
             <source>Tool length</source>
@@ -9151,6 +9743,18 @@
             <translation>Chapa triangular</translation>
         </message>
         <message>
+            <source>Try without hardware</source>
+            <translation>Experimentar sem máquina</translation>
+        </message>
+        <message>
+            <source>Turn</source>
+            <translation>Girar</translation>
+        </message>
+        <message>
+            <source>Turn the chosen part to its next rotation</source>
+            <translation>Girar a peça escolhida para a próxima rotação</translation>
+        </message>
+        <message>
             <source>Turning</source>
             <translation>Torneamento</translation>
         </message>
@@ -9215,12 +9819,24 @@
             <translation>Inalcançável</translation>
         </message>
         <message>
+            <source>Use a drawing of a rest of a sheet first</source>
+            <translation>Usar primeiro o desenho de um retalho de chapa</translation>
+        </message>
+        <message>
             <source>Use the tool of the job</source>
             <translation>Usar a ferramenta do trabalho</translation>
         </message>
         <message>
+            <source>Use whole sheets only</source>
+            <translation>Usar só chapas inteiras</translation>
+        </message>
+        <message>
             <source>V-bit</source>
             <translation>fresa em V</translation>
+        </message>
+        <message>
+            <source>Values</source>
+            <translation>Valores</translation>
         </message>
         <message>
             <source>Virtual grbl (no machine)</source>
@@ -9247,6 +9863,10 @@
             <translation>Avisos</translation>
         </message>
         <message>
+            <source>Watch it cut. Hold stops the feed and Resume goes on; Stop ends it.</source>
+            <translation>Veja o corte. Pausar detém o avanço e Retomar continua; Parar encerra.</translation>
+        </message>
+        <message>
             <source>Water jet</source>
             <translation>Jato de água</translation>
         </message>
@@ -9259,8 +9879,8 @@
             <translation>O que é cortado em chapas</translation>
         </message>
         <message>
-            <source>What is one step: a line of the program, a move, or a pulse of the motors</source>
-            <translation>O que é um passo: uma linha do programa, um movimento ou um pulso dos motores</translation>
+            <source>What is one step, on or back</source>
+            <translation>O que é um passo, adiante ou para trás</translation>
         </message>
         <message>
             <source>What is written; several lines are set below each other</source>
@@ -9303,6 +9923,10 @@
             <translation>O que foi lido</translation>
         </message>
         <message>
+            <source>Where along the axis the diameter is read; a click on the part sets it</source>
+            <translation>Onde, ao longo do eixo, o diâmetro é lido; um clique na peça o define</translation>
+        </message>
+        <message>
             <source>Where it begins; 0: that of the profile or the usual fit</source>
             <translation>Onde começa; 0: o do perfil ou do ajuste usual</translation>
         </message>
@@ -9313,6 +9937,10 @@
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
+        </message>
+        <message>
+            <source>Where the copies lie</source>
+            <translation>Onde estão as cópias</translation>
         </message>
         <message>
             <source>Where the drawings are written; empty: beside the document</source>
@@ -9329,6 +9957,14 @@
         <message>
             <source>Where the line ends</source>
             <translation>Onde a linha termina</translation>
+        </message>
+        <message>
+            <source>Where the parts lie</source>
+            <translation>Onde estão as peças</translation>
+        </message>
+        <message>
+            <source>Where the program is written; empty: beside the document</source>
+            <translation>Onde o programa é gravado; vazio: ao lado do documento</translation>
         </message>
         <message>
             <source>Where the row begins, from the work zero</source>
@@ -9411,6 +10047,10 @@
             <translation>Enquanto pressionado</translation>
         </message>
         <message>
+            <source>Whole part</source>
+            <translation>Peça inteira</translation>
+        </message>
+        <message>
             <source>Why it cannot be made; empty when it can</source>
             <translation>Por que não pode ser feito; vazio quando pode</translation>
         </message>
@@ -9467,6 +10107,10 @@
             <translation>Largura do rasgo</translation>
         </message>
         <message>
+            <source>Wing rib: out of foam by a hot wire</source>
+            <translation>Nervura de asa: de espuma, por fio quente</translation>
+        </message>
+        <message>
             <source>Wire cut</source>
             <translation>Corte com fio</translation>
         </message>
@@ -9483,8 +10127,20 @@
             <translation>Calcular o ângulo</translation>
         </message>
         <message>
+            <source>Work surface</source>
+            <translation>Superfície de trabalho</translation>
+        </message>
+        <message>
             <source>Work zero</source>
             <translation>Zero-peça</translation>
+        </message>
+        <message>
+            <source>Write program</source>
+            <translation>Gravar programa</translation>
+        </message>
+        <message>
+            <source>Write the one checked program of all copies</source>
+            <translation>Gravar o programa único e verificado de todas as cópias</translation>
         </message>
         <message>
             <source>Writes the text into a file</source>
@@ -9539,6 +10195,10 @@
             <translation>Y, passos</translation>
         </message>
         <message>
+            <source>Your first part is cut. A real machine goes the same road: set it up under Machines first.</source>
+            <translation>Sua primeira peça está cortada. Com uma máquina de verdade o caminho é o mesmo: configure-a antes em Máquinas.</translation>
+        </message>
+        <message>
             <source>Z of the cut</source>
             <translation>Z do corte</translation>
         </message>
@@ -9565,6 +10225,10 @@
         <message>
             <source>Zero's place</source>
             <translation>Lugar do zero</translation>
+        </message>
+        <message>
+            <source>Zip with packages ({0})</source>
+            <translation>Zip com pacotes ({0})</translation>
         </message>
         <message>
             <source>a comment</source>
@@ -9657,6 +10321,10 @@
         <message>
             <source>angle about Z</source>
             <translation>ângulo em torno de Z</translation>
+        </message>
+        <message>
+            <source>any</source>
+            <translation>qualquer</translation>
         </message>
         <message>
             <source>ap, recalculated to whole passes</source>
@@ -9855,6 +10523,10 @@
             <translation>escolha</translation>
         </message>
         <message>
+            <source>click on the part, or type a Z</source>
+            <translation>clique na peça ou digite um Z</translation>
+        </message>
+        <message>
             <source>climb</source>
             <translation>concordante</translation>
         </message>
@@ -9997,6 +10669,10 @@
         <message>
             <source>follows the path exactly</source>
             <translation>segue a trajetória exatamente</translation>
+        </message>
+        <message>
+            <source>for the command line</source>
+            <translation>para a linha de comando</translation>
         </message>
         <message>
             <source>front</source>
@@ -10151,6 +10827,10 @@
             <translation>linhas em um só sentido</translation>
         </message>
         <message>
+            <source>locked</source>
+            <translation>travada</translation>
+        </message>
+        <message>
             <source>low</source>
             <translation>baixo</translation>
         </message>
@@ -10231,6 +10911,10 @@
             <translation>nenhum erro</translation>
         </message>
         <message>
+            <source>no material there</source>
+            <translation>não há material ali</translation>
+        </message>
+        <message>
             <source>no switch</source>
             <translation>sem chave</translation>
         </message>
@@ -10261,6 +10945,10 @@
         <message>
             <source>nothing to correct</source>
             <translation>nada a corrigir</translation>
+        </message>
+        <message>
+            <source>numba makes it fast from the next start of FreeCAD on.</source>
+            <translation>O numba o torna rápido a partir do próximo início do FreeCAD.</translation>
         </message>
         <message>
             <source>number of the line</source>
@@ -10475,6 +11163,10 @@
             <translation>rápido: reto, tão rápido quanto a máquina pode</translation>
         </message>
         <message>
+            <source>raw surface</source>
+            <translation>superfície bruta</translation>
+        </message>
+        <message>
             <source>rear</source>
             <translation>fundo</translation>
         </message>
@@ -10667,6 +11359,26 @@
             <translation>para quebrar o cavaco</translation>
         </message>
         <message>
+            <source>to make programs</source>
+            <translation>para fazer programas</translation>
+        </message>
+        <message>
+            <source>to nest parts on sheets</source>
+            <translation>para encaixar peças em chapas</translation>
+        </message>
+        <message>
+            <source>to plan and simulate fast</source>
+            <translation>para planejar e simular depressa</translation>
+        </message>
+        <message>
+            <source>to reach a machine</source>
+            <translation>para falar com uma máquina</translation>
+        </message>
+        <message>
+            <source>to read and write files</source>
+            <translation>para ler e gravar arquivos</translation>
+        </message>
+        <message>
             <source>to the nearest edge</source>
             <translation>pela borda mais próxima</translation>
         </message>
@@ -10831,6 +11543,10 @@
             <translation>{0} na camada '{1}' foi deixado de fora: {2}</translation>
         </message>
         <message>
+            <source>{0} parts on {1} sheets, {2} missing; the sheets are used to {3} %</source>
+            <translation>{0} peças em {1} chapas, faltam {2}; aproveitamento das chapas: {3} %</translation>
+        </message>
+        <message>
             <source>{0} readings: mean {1:.4f} mm, standard deviation {2:.4f} mm</source>
             <translation>{0} leituras: média {1:.4f} mm, desvio padrão {2:.4f} mm</translation>
         </message>
@@ -10903,6 +11619,10 @@
             <translation>{0}:</translation>
         </message>
         <message>
+            <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation>{0}: X {1}, Y {2}, {3}°</translation>
+        </message>
+        <message>
             <source>{0}: its file has changed; Reload in the tree takes it anew</source>
             <translation>{0}: seu arquivo mudou; Recarregar na árvore o lê de novo</translation>
         </message>
@@ -10929,6 +11649,14 @@
         <message>
             <source>… and {0} more lines</source>
             <translation>… e mais {0} linhas</translation>
+        </message>
+        <message>
+            <source>⌀ {0}</source>
+            <translation>⌀ {0}</translation>
+        </message>
+        <message>
+            <source>⌀ {0}, bore ⌀ {1}</source>
+            <translation>⌀ {0}, furo ⌀ {1}</translation>
         </message>
     </context>
     <context>
@@ -11032,6 +11760,10 @@
         <message>
             <source>'{line}' is no row of a profile</source>
             <translation>'{line}' não é uma linha de um perfil</translation>
+        </message>
+        <message>
+            <source>'{name}' holds no lines</source>
+            <translation>'{name}' não tem linhas</translation>
         </message>
         <message>
             <source>'{name}' is no name for a machine profile</source>
@@ -11458,6 +12190,14 @@
             <translation>Chapa com olhal</translation>
         </message>
         <message>
+            <source>Fetching {name}</source>
+            <translation>Buscando {name}</translation>
+        </message>
+        <message>
+            <source>Fetching {name} ({size})</source>
+            <translation>Buscando {name} ({size})</translation>
+        </message>
+        <message>
             <source>First eye</source>
             <translation>Primeiro olhal</translation>
         </message>
@@ -11790,6 +12530,10 @@
             <translation>Nimbus Sans</translation>
         </message>
         <message>
+            <source>No module named pip</source>
+            <translation>Nenhum módulo chamado pip</translation>
+        </message>
+        <message>
             <source>O-words are nested too deeply</source>
             <translation>há palavras O aninhadas demais</translation>
         </message>
@@ -12012,6 +12756,10 @@
         <message>
             <source>Width of the slot</source>
             <translation>Largura do rasgo</translation>
+        </message>
+        <message>
+            <source>Writing {count} packages</source>
+            <translation>Gravando {count} pacotes</translation>
         </message>
         <message>
             <source>X goes past the centre</source>
@@ -12466,6 +13214,10 @@
             <translation>um número sem letra antes dele</translation>
         </message>
         <message>
+            <source>a package that is to be replaced is in use</source>
+            <translation>um pacote a ser substituído está em uso</translation>
+        </message>
+        <message>
             <source>a parallel port has 25 pins, and one below zero is active low</source>
             <translation>uma porta paralela tem 25 pinos, e um abaixo de zero é ativo em nível baixo</translation>
         </message>
@@ -12480,6 +13232,10 @@
         <message>
             <source>a part of another operation</source>
             <translation>uma peça de outra operação</translation>
+        </message>
+        <message>
+            <source>a part or a value has changed since the parts were nested</source>
+            <translation>uma peça ou um valor mudou desde que as peças foram aninhadas</translation>
         </message>
         <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
@@ -12572,6 +13328,10 @@
         <message>
             <source>a program on the controller stopped at an error</source>
             <translation>um programa no controlador parou em um erro</translation>
+        </message>
+        <message>
+            <source>a program or a value has changed since they were arranged</source>
+            <translation>um programa ou um valor mudou desde que foram dispostos</translation>
         </message>
         <message>
             <source>a program that goes to machine positions cannot be placed beside others</source>
@@ -12930,6 +13690,10 @@
             <translation>acrescente pontos de controle</translation>
         </message>
         <message>
+            <source>add jobs, programs or files</source>
+            <translation>adicione trabalhos, programas ou arquivos</translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation>acrescente uma antes do primeiro corte</translation>
         </message>
@@ -13128,6 +13892,10 @@
         <message>
             <source>arcs outside the plane XY</source>
             <translation>arcos fora do plano XY</translation>
+        </message>
+        <message>
+            <source>arrange them again</source>
+            <translation>disponha-os de novo</translation>
         </message>
         <message>
             <source>ask for at most {fewer}</source>
@@ -13442,6 +14210,10 @@
             <translation>deixe-a antes em Idle (pronta)</translation>
         </message>
         <message>
+            <source>build the zip for it: make installer PYTHONS={version}</source>
+            <translation>gere o zip para ele: make installer PYTHONS={version}</translation>
+        </message>
+        <message>
             <source>bytes when it is unpacked</source>
             <translation>bytes depois de descompactado</translation>
         </message>
@@ -13582,6 +14354,10 @@
             <translation>verifique o cabo, e veja que o controlador não esteja no modo de verificação ($C sai dele); depois envie de novo</translation>
         </message>
         <message>
+            <source>check the computer's clock, ask who runs the network for its certificate and set the environment variable PIP_CERT to that file, {zip}</source>
+            <translation>confira o relógio do computador, peça o certificado a quem cuida da rede e ponha na variável de ambiente PIP_CERT o caminho dele, {zip}</translation>
+        </message>
+        <message>
             <source>check the depth, or lay a spoil board under the stock</source>
             <translation>verifique a profundidade, ou ponha uma chapa de sacrifício sob o bloco</translation>
         </message>
@@ -13616,6 +14392,10 @@
         <message>
             <source>chip_load_min_mm must not exceed chip_load_max_mm</source>
             <translation>chip_load_min_mm não pode exceder chip_load_max_mm</translation>
+        </message>
+        <message>
+            <source>choose 'Install packages…' in the CNCStepper menu, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
+            <translation>escolha 'Instalar pacotes…' no menu CNCStepper, ou instale-os para o Python {version_info}.{version_info2} em uma pasta só deles (pip install --target PASTA) e ponha o nome dela na variável de ambiente CNCSTEPPER_PACKAGES</translation>
         </message>
         <message>
             <source>choose S from {min_rpm:g} to {max_rpm:g}</source>
@@ -13706,6 +14486,10 @@
             <translation>escolha outro nome</translation>
         </message>
         <message>
+            <source>choose another one</source>
+            <translation>escolha outro</translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation>escolha outro processo no trabalho, ou apague a operação</translation>
         </message>
@@ -13746,6 +14530,10 @@
             <translation>escolha outros valores, ou tente de novo</translation>
         </message>
         <message>
+            <source>choose the job whose machine runs it</source>
+            <translation>escolha o trabalho cuja máquina o executa</translation>
+        </message>
+        <message>
             <source>choose the job's material</source>
             <translation>escolha o material do trabalho</translation>
         </message>
@@ -13756,6 +14544,10 @@
         <message>
             <source>choose the right machine profile, or correct the settings</source>
             <translation>escolha o perfil de máquina certo, ou corrija as configurações</translation>
+        </message>
+        <message>
+            <source>choose the zip of 'make installer', or the folder in which its .whl files are</source>
+            <translation>escolha o zip de 'make installer', ou a pasta em que estão os arquivos .whl dele</translation>
         </message>
         <message>
             <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
@@ -13772,6 +14564,10 @@
         <message>
             <source>clearance_mm must not be below retract_mm</source>
             <translation>clearance_mm (altura de segurança) não pode ser menor que retract_mm (retração)</translation>
+        </message>
+        <message>
+            <source>close all FreeCAD windows, start FreeCAD, and install before anything else</source>
+            <translation>feche todas as janelas do FreeCAD, abra-o de novo e instale antes de qualquer outra coisa</translation>
         </message>
         <message>
             <source>close it</source>
@@ -13874,6 +14670,10 @@
             <translation>conecte à porta dele sem perfil de máquina</translation>
         </message>
         <message>
+            <source>connect to the internet and try again, {zip}</source>
+            <translation>conecte-se à internet e tente de novo, {zip}</translation>
+        </message>
+        <message>
             <source>constant surface speed became a speed a move</source>
             <translation>a velocidade de corte constante virou uma rotação por movimento</translation>
         </message>
@@ -13892,6 +14692,10 @@
         <message>
             <source>coordinates alone may not follow {motion_name}</source>
             <translation>coordenadas sozinhas não podem vir depois de {motion_name}</translation>
+        </message>
+        <message>
+            <source>copy it again and compare its size</source>
+            <translation>copie-o de novo e compare o tamanho</translation>
         </message>
         <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
@@ -14392,6 +15196,10 @@
         <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
             <translation>entre em hélice ou rampa, ou no meio de um furo já aberto</translation>
+        </message>
+        <message>
+            <source>enter the proxy in FreeCAD (Preferences &gt; Addon Manager) with its name and password, as http://name:password@host:port, {zip}</source>
+            <translation>informe o proxy no FreeCAD (Preferências &gt; Gerenciador de Complementos) com nome e senha, como http://nome:senha@servidor:porta, {zip}</translation>
         </message>
         <message>
             <source>entered here, the program would do something else than when it is run whole</source>
@@ -15070,6 +15878,14 @@
             <translation>instale o CNCStepper em cada processo de trabalho e veja o registro dele</translation>
         </message>
         <message>
+            <source>install Python {version} (Debian and Ubuntu: sudo apt-get install python3-pip), or set the environment variable {variable} to the path of one</source>
+            <translation>instale o Python {version} (Debian e Ubuntu: sudo apt-get install python3-pip), ou ponha na variável de ambiente {variable} o caminho de um</translation>
+        </message>
+        <message>
+            <source>install it (Debian and Ubuntu: sudo apt-get install python3-pip), {zip}, which brings a pip</source>
+            <translation>instale-o (Debian e Ubuntu: sudo apt-get install python3-pip), {zip}, que traz um pip</translation>
+        </message>
+        <message>
             <source>install it again, or choose another font</source>
             <translation>instale-a de novo ou escolha outra fonte</translation>
         </message>
@@ -15364,6 +16180,10 @@
         <message>
             <source>it was compressed or encrypted anew</source>
             <translation>foi comprimido ou cifrado novamente</translation>
+        </message>
+        <message>
+            <source>it was not placed</source>
+            <translation>não foi colocada</translation>
         </message>
         <message>
             <source>it would erase the settings: write the settings that you want to change one by one</source>
@@ -15870,6 +16690,10 @@
             <translation>verifique o sistema de arquivos do controlador e tente de novo</translation>
         </message>
         <message>
+            <source>look at the details, and report them where they do not help</source>
+            <translation>veja os detalhes e envie-os a nós se não ajudarem</translation>
+        </message>
+        <message>
             <source>look at the machine</source>
             <translation>olhe a máquina</translation>
         </message>
@@ -16014,6 +16838,10 @@
             <translation>aumente resolution_mm</translation>
         </message>
         <message>
+            <source>make room (the packages take about 400 MB) and try again</source>
+            <translation>libere espaço (os pacotes ocupam cerca de 400 MB) e tente de novo</translation>
+        </message>
+        <message>
             <source>make room on the disk of {folder}, and see that you may write there; then send again</source>
             <translation>libere espaço no disco de {folder} e verifique se você pode gravar ali; depois envie de novo</translation>
         </message>
@@ -16044,6 +16872,10 @@
         <message>
             <source>make the corner radius smaller</source>
             <translation>diminua o raio de canto</translation>
+        </message>
+        <message>
+            <source>make the folder writable for yourself; nothing needs an administrator</source>
+            <translation>dê a si mesmo permissão de gravar na pasta; nada precisa de administrador</translation>
         </message>
         <message>
             <source>make the job again</source>
@@ -16386,6 +17218,10 @@
             <translation>parâmetros com nome não fazem parte deste dialeto</translation>
         </message>
         <message>
+            <source>nest them again</source>
+            <translation>aninhe-as de novo</translation>
+        </message>
+        <message>
             <source>nested too deeply</source>
             <translation>aninhado fundo demais</translation>
         </message>
@@ -16396,6 +17232,10 @@
         <message>
             <source>nichrome 0.4 mm</source>
             <translation>nicromo 0,4 mm</translation>
+        </message>
+        <message>
+            <source>no Python {version} is found outside FreeCAD to run pip with</source>
+            <translation>nenhum Python {version} foi achado fora do FreeCAD para rodar o pip</translation>
         </message>
         <message>
             <source>no arc or wire stands at more than 10 kV</source>
@@ -16518,6 +17358,10 @@
             <translation>não há curva paralela tão para dentro</translation>
         </message>
         <message>
+            <source>no part is chosen</source>
+            <translation>nenhuma peça está escolhida</translation>
+        </message>
+        <message>
             <source>no pass is narrower than a micron or wider than 10 m</source>
             <translation>nenhum passe é mais estreito que um mícron ou mais largo que 10 m</translation>
         </message>
@@ -16628,6 +17472,10 @@
         <message>
             <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
             <translation>nenhum caminho pelo retalho leva ao que fica em X{x:.3f} Y{y:.3f}</translation>
+        </message>
+        <message>
+            <source>no wheels in</source>
+            <translation>nenhum pacote em</translation>
         </message>
         <message>
             <source>none of the selected drawings can be followed</source>
@@ -16978,6 +17826,10 @@
             <translation>a operação {number} usa a ferramenta {tool}, que o trabalho não tem: ele tem {tools}</translation>
         </message>
         <message>
+            <source>or press 'From files' and take the zip that 'make installer' has built on a computer with internet</source>
+            <translation>ou aperte 'De arquivos' e use o zip que 'make installer' gerou em um computador com internet</translation>
+        </message>
+        <message>
             <source>order table</source>
             <translation>tabela de pedido</translation>
         </message>
@@ -17086,12 +17938,20 @@
             <translation>pins: dois sinais estão no mesmo pino</translation>
         </message>
         <message>
+            <source>pip could not install the packages: {said}</source>
+            <translation>o pip não conseguiu instalar os pacotes: {said}</translation>
+        </message>
+        <message>
             <source>pitch_mm is lowered to {pitch_mm:.3f} mm, for the helix must not fall by more than {most_deg:g}°</source>
             <translation>pitch_mm é reduzido para {pitch_mm:.3f} mm, pois a hélice não pode descer mais que {most_deg:g}°</translation>
         </message>
         <message>
             <source>place not known</source>
             <translation>local desconhecido</translation>
+        </message>
+        <message>
+            <source>place the copies elsewhere</source>
+            <translation>coloque as cópias em outro lugar</translation>
         </message>
         <message>
             <source>place them farther apart, or --allow-overlap</source>
@@ -17144,6 +18004,10 @@
         <message>
             <source>prepare this program's own</source>
             <translation>prepare as linhas deste próprio programa</translation>
+        </message>
+        <message>
+            <source>press on one in the 3D view</source>
+            <translation>clique em uma na vista 3D</translation>
         </message>
         <message>
             <source>press the machine's own switch, or let it run to its end</source>
@@ -17498,10 +18362,6 @@
             <translation>as linhas têm de ser uma lista de tabelas</translation>
         </message>
         <message>
-            <source>run 'make setup' beside the workbench, or let Tools &gt; Addon Manager install them, or install them for Python {version_info}.{version_info2} into a folder of their own (pip install --target FOLDER) and name it in the environment variable CNCSTEPPER_PACKAGES</source>
-            <translation>rode 'make setup' na pasta da bancada, ou instale-os por Ferramentas &gt; Gerenciador de extensões, ou instale-os para Python {version_info}.{version_info2} em uma pasta própria (pip install --target PASTA) e indique-a na variável de ambiente CNCSTEPPER_PACKAGES</translation>
-        </message>
-        <message>
             <source>run this job with cncstepper run</source>
             <translation>execute este trabalho com cncstepper run</translation>
         </message>
@@ -17592,6 +18452,10 @@
         <message>
             <source>select a sketch, wires, faces or edges</source>
             <translation>selecione um esboço, arames, faces ou arestas</translation>
+        </message>
+        <message>
+            <source>select drawings or sketches and add them</source>
+            <translation>selecione desenhos ou esboços e adicione-os</translation>
         </message>
         <message>
             <source>select the plane with G17, G18, G19</source>
@@ -18110,6 +18974,10 @@
             <translation>retire-o do nome</translation>
         </message>
         <message>
+            <source>take it out of the parts</source>
+            <translation>tire-o das peças</translation>
+        </message>
+        <message>
             <source>take it out of the program</source>
             <translation>retire-o do programa</translation>
         </message>
@@ -18246,6 +19114,10 @@
             <translation>a palavra P é maior do que o controlador permite</translation>
         </message>
         <message>
+            <source>the Python that belongs to this FreeCAD has no pip</source>
+            <translation>o Python deste FreeCAD não tem o pip</translation>
+        </message>
+        <message>
             <source>the USB board's controller</source>
             <translation>o controlador da placa USB</translation>
         </message>
@@ -18324,6 +19196,10 @@
         <message>
             <source>the arranged program has {count} cuts, not {wanted}</source>
             <translation>o programa disposto tem {count} cortes, e não {wanted}</translation>
+        </message>
+        <message>
+            <source>the arrangement has no job</source>
+            <translation>a disposição não tem trabalho</translation>
         </message>
         <message>
             <source>the auxiliary port does not exist or is in use</source>
@@ -18874,6 +19750,10 @@
             <translation>o disco</translation>
         </message>
         <message>
+            <source>the disk is full</source>
+            <translation>o disco está cheio</translation>
+        </message>
+        <message>
             <source>the document unpacks to too much</source>
             <translation>o documento descompactado é grande demais</translation>
         </message>
@@ -19238,12 +20118,20 @@
             <translation>a pasta não existe</translation>
         </message>
         <message>
+            <source>the folder for packages cannot be written</source>
+            <translation>a pasta de pacotes não pode ser gravada</translation>
+        </message>
+        <message>
             <source>the folder is a link</source>
             <translation>a pasta é um link</translation>
         </message>
         <message>
             <source>the folder of sessions cannot be used: {error}</source>
             <translation>a pasta das sessões não pode ser usada: {error}</translation>
+        </message>
+        <message>
+            <source>the folder or zip has no {packages} for Python {version} on {system}</source>
+            <translation>a pasta ou o zip não tem {packages} para o Python {version} no {system}</translation>
         </message>
         <message>
             <source>the font '{family}' has no style '{style}'</source>
@@ -19942,6 +20830,10 @@
             <translation>os ajustes de velocidade não são os de antes do reinício</translation>
         </message>
         <message>
+            <source>the package index cannot be reached</source>
+            <translation>o índice de pacotes não responde</translation>
+        </message>
+        <message>
             <source>the packing of a strip</source>
             <translation>o empacotamento de uma faixa</translation>
         </message>
@@ -20354,6 +21246,10 @@
             <translation>a verificação encontrou {errors} erro(s) no programa, o primeiro: {text}</translation>
         </message>
         <message>
+            <source>the proxy of this network does not let pip through</source>
+            <translation>o proxy desta rede não deixa o pip passar</translation>
+        </message>
+        <message>
             <source>the pulses have ended</source>
             <translation>os pulsos terminaram</translation>
         </message>
@@ -20500,6 +21396,10 @@
         <message>
             <source>the section of sheet {number} is not closed</source>
             <translation>a seção da chapa {number} não é fechada</translation>
+        </message>
+        <message>
+            <source>the secure connection to the package index was refused, as in a network that looks into it</source>
+            <translation>a conexão segura com o índice de pacotes foi recusada, como em uma rede que a inspeciona</translation>
         </message>
         <message>
             <source>the sender failed by a fault of its own</source>
@@ -21050,6 +21950,10 @@
             <translation>o zero do torno só pode ser definido em modo manual: {0}</translation>
         </message>
         <message>
+            <source>the zip is damaged or not whole</source>
+            <translation>o zip está danificado ou incompleto</translation>
+        </message>
+        <message>
             <source>the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter</source>
             <translation>a forma da ferramenta {tool_shape} não foi informada, por isso é avaliada como fresa reta do mesmo diâmetro</translation>
         </message>
@@ -21088,6 +21992,14 @@
         <message>
             <source>there are A to Z for pulses and {0} for devices</source>
             <translation>há de A a Z para pulsos e {0} para dispositivos</translation>
+        </message>
+        <message>
+            <source>there are no packages in the folder or zip</source>
+            <translation>não há pacotes na pasta ou no zip</translation>
+        </message>
+        <message>
+            <source>there are no parts</source>
+            <translation>não há peças</translation>
         </message>
         <message>
             <source>there are no relays</source>
@@ -21136,6 +22048,14 @@
         <message>
             <source>there is no dialect '{base}'</source>
             <translation>não há dialeto '{base}'</translation>
+        </message>
+        <message>
+            <source>there is no drawing '{name}'</source>
+            <translation>não há desenho '{name}'</translation>
+        </message>
+        <message>
+            <source>there is no file for the program</source>
+            <translation>não há arquivo para o programa</translation>
         </message>
         <message>
             <source>there is no folder for the drawings</source>
@@ -21252,6 +22172,10 @@
         <message>
             <source>there is no {name} of that name</source>
             <translation>não há {name} com esse nome</translation>
+        </message>
+        <message>
+            <source>there is no {packages} for Python {version} on {system}</source>
+            <translation>não há {packages} para o Python {version} no {system}</translation>
         </message>
         <message>
             <source>there is nothing to find</source>
@@ -21816,6 +22740,10 @@
         <message>
             <source>use X or Y</source>
             <translation>use X ou Y</translation>
+        </message>
+        <message>
+            <source>use a FreeCAD of freecad.org, whose Python has all packages</source>
+            <translation>use um FreeCAD de freecad.org, cujo Python tem todos os pacotes</translation>
         </message>
         <message>
             <source>use a boring bar</source>
@@ -22882,6 +23810,10 @@
             <translation>{count} linhas têm marcadores, que não são lidos</translation>
         </message>
         <message>
+            <source>{count} of {name}: {why}</source>
+            <translation>{count} de {name}: {why}</translation>
+        </message>
+        <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation>{count} caminhos estão danificados e são lidos até o dano</translation>
         </message>
@@ -23811,6 +24743,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_Arrangement</name>
+        <message>
+            <source>Arrange programs…</source>
+            <translation>Dispor programas…</translation>
+        </message>
+        <message>
+            <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation>Coloca programas na superfície de trabalho com o mouse e faz deles um só programa</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Bore</name>
         <message>
             <source>Bore</source>
@@ -23932,6 +24875,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_FirstSteps</name>
+        <message>
+            <source>First steps…</source>
+            <translation>Primeiros passos…</translation>
+        </message>
+        <message>
+            <source>Three ways to begin: a tour without a machine, your machine, an example</source>
+            <translation>Três modos de começar: um passeio sem máquina, a sua máquina, um exemplo</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Freehand</name>
         <message>
             <source>Draws a line with the mouse: press, move, release</source>
@@ -23962,6 +24916,17 @@
         <message>
             <source>Import tools…</source>
             <translation>Importar ferramentas…</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Install</name>
+        <message>
+            <source>Install packages…</source>
+            <translation>Instalar pacotes…</translation>
+        </message>
+        <message>
+            <source>Installs the Python packages that are missing, from the internet or from files</source>
+            <translation>Instala os pacotes do Python que faltam, da internet ou de arquivos</translation>
         </message>
     </context>
     <context>
@@ -24006,6 +24971,17 @@
         <message>
             <source>Move up</source>
             <translation>Mover para cima</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Nest</name>
+        <message>
+            <source>Nest on sheets…</source>
+            <translation>Aninhar em chapas…</translation>
+        </message>
+        <message>
+            <source>Places the selected drawings on sheets of material, as often as they are wanted</source>
+            <translation>Coloca os desenhos selecionados em chapas de material, quantas vezes forem pedidos</translation>
         </message>
     </context>
     <context>

@@ -6,8 +6,10 @@ from __future__ import annotations
 import ctypes
 import locale
 import os
+import sys
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import FreeCAD
 import pytest
@@ -34,6 +36,24 @@ def test_the_addon_manager_reads_package_xml() -> None:
     workbench = metadata.Content["workbench"][0]
     assert workbench.Classname == "CNCStepperWorkbench"
     assert workbench.supportsCurrentFreeCAD()
+
+
+def test_the_addon_manager_may_install_what_package_xml_requires() -> None:
+    """It refuses to install a workbench that requires others: those come by *Install packages…*."""
+    listed = Path(FreeCAD.getHomePath()) / "Mod" / "AddonManager" / "ALLOWED_PYTHON_PACKAGES.txt"
+    if not listed.exists():  # Debian keeps what is not compiled elsewhere
+        listed = Path("/usr/share/freecad") / listed.relative_to(FreeCAD.getHomePath())
+    allowed = {line.strip().lower() for line in listed.read_text("utf-8").splitlines()}
+    depends = ElementTree.parse(ROOT / "package.xml").iter("{https://wiki.freecad.org/Package_Metadata}depend")
+    required = {depend.text for depend in depends if depend.get("optional") != "true"}
+    assert required == {"numpy", "ezdxf", "matplotlib", "pillow"}
+    assert required <= allowed
+
+
+def test_packages_are_installed_beside_mod() -> None:
+    folder = packages.own_folder()
+    assert folder.parents[1] == Path(FreeCAD.getUserAppDataDir())
+    assert folder.name == "py" + "".join(map(str, sys.version_info[:2]))
 
 
 def test_a_missing_package_is_named_with_the_way_to_get_it() -> None:

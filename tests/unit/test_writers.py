@@ -34,6 +34,7 @@ REASONS = {
         "the session's own file in a folder of 0700, open and locked for as long as its process lives"
     ),
     "job/proof_folder": PRIVATE,
+    "job/turning/turned_groups_file": PRIVATE,
     "job/turning/turning_proof_folder": PRIVATE,
     "simulation/meshes/fallen_faces": PRIVATE,
     "recovery/restart/restart_proof_folder": PRIVATE,

@@ -25,6 +25,7 @@ LABELS = {
     "CNCStepper_Text": "Text",
     "CNCStepper_Shapes": "Shapes…",
     "CNCStepper_Slices": "Slice a solid…",
+    "CNCStepper_Nest": "Nest on sheets…",
     "CNCStepper_Freehand": "Freehand",
     "CNCStepper_Face": "Face",
     "CNCStepper_Pocket": "Pocket",
@@ -40,6 +41,7 @@ LABELS = {
     "CNCStepper_WireCut": "Wire cut",
     "CNCStepper_EditProgram": "Edit program",
     "CNCStepper_OpenProgram": "Open G-code file…",
+    "CNCStepper_Arrangement": "Arrange programs…",
     "CNCStepper_Simulate": "Check and simulate",
     "CNCStepper_Send": "Send",
     "CNCStepper_Controller": "Controller",
@@ -53,10 +55,12 @@ LABELS = {
     TEXT,
     SHAPES,
     SLICES,
+    NEST,
     FREEHAND,
     *OPERATIONS,
     EDIT,
     OPEN,
+    ARRANGE,
     SIMULATE,
     SEND,
     CONTROLLER,
@@ -64,7 +68,7 @@ LABELS = {
     LETTERS,
 ) = LABELS
 ALWAYS = (DRAWING, TEXT, SHAPES)  # what needs neither a document nor a job
-IN_DOCUMENT = (SLICES, FREEHAND)  # what needs a document alone
+IN_DOCUMENT = (SLICES, NEST, FREEHAND)  # what needs a document alone
 DRAWN = ("CNCStepper_Pocket", "CNCStepper_Contour", "CNCStepper_Engrave")  # cannot be without a drawing
 OF_SHEETS = ("CNCStepper_SheetCut", "CNCStepper_WireCut")  # not of milling, which these jobs are cut by
 MILLED = [name for name in LABELS if name not in OF_SHEETS]
@@ -135,7 +139,7 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
     texts = hand.main(shown_texts)
     menu = [*LABELS.values()]
     menu[menu.index("Edit program") : menu.index("Edit program")] = ["Duplicate", "Move up", "Move down"]
-    assert texts == [list(LABELS.values()), [*menu, "Open job…", "Export job…"]]
+    assert texts == [list(LABELS.values()), [*menu, "Open job…", "Export job…", "First steps…", "Install packages…"]]
     assert hand.main(lambda: all(not action(name).icon().isNull() for name in LABELS))
     hand.menu("CNCStepper")
     hand.shot("menu")
@@ -177,7 +181,9 @@ def test_an_empty_document_can_be_drawn_in(hand: Hand) -> None:
 
 def test_a_job_without_operations(hand: Hand) -> None:
     hand.main(lambda: api.new_job(new_document()))
-    expect_enabled(hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(
+        hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, ARRANGE, CONTROLLER, MACHINES, LETTERS
+    )
     assert reason(hand, SEND) == "Job has nothing to cut: add an operation"
     assert {reason(hand, name).partition(":")[0] for name in DRAWN} == {
         "Select the area to clear", "Select the lines to cut", "Select the lines to engrave",
@@ -195,6 +201,7 @@ def test_a_job_with_a_program(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
@@ -222,6 +229,7 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
@@ -259,6 +267,7 @@ def test_one_task_panel_at_a_time(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
@@ -306,13 +315,19 @@ def test_without_shapely_it_opens_and_says_how_to_get_it(hand: Hand, hidden: Any
     assert "lacks shapely" in reason(hand, NEW_JOB)
     notice = hand.find("CNCStepper_Tell_notice")
     assert hand.main(notice.text).count("\n") == 1
-    command = hand.main(notice.informativeText)
-    assert f"{sys.version_info[0]}.{sys.version_info[1]}" in command
-    assert command.endswith('" shapely pyserial')
+    assert "Install packages" in hand.main(notice.informativeText)
     assert not hand.main(notice.isModal)
     hand.shot("missing-packages", notice)
-    hand.button("OK")
+    hand.click(hand.find("CNCStepper_Tell_remedy"))
     hand.wait(lambda: not any(box.isVisible() for box in boxes()))
+    dialog = hand.find("CNCStepper_Install")
+    listed = hand.find("CNCStepper_Install_list")
+    texts = hand.main(lambda: [listed.item(row).text() for row in range(listed.count())])
+    assert [text.split()[0] for text in texts] == ["shapely", "pyserial"]
+    assert str(packages.own_folder()) in hand.text("CNCStepper_Install_place")
+    hand.shot("install-packages", dialog)
+    hand.click(hand.find("CNCStepper_Install_close"))
+    hand.wait(lambda: not dialog.isVisible())
 
 
 def boxes() -> list[Any]:

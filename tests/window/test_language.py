@@ -26,6 +26,8 @@ COMMANDS = {
     "CNCStepper_Text": "Texto",
     "CNCStepper_Shapes": "Formas…",
     "CNCStepper_Slices": "Fatiar um sólido…",
+    "CNCStepper_Nest": "Aninhar em chapas…",
+    "CNCStepper_Arrangement": "Dispor programas…",
     "CNCStepper_Freehand": "À mão livre",
     "CNCStepper_Face": "Facear",
     "CNCStepper_Pocket": "Bolsão",

@@ -57,7 +57,9 @@ USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
   <FCParamGroup Name="Mod"><FCParamGroup Name="Start">
     <FCBool Name="ShowOnStartup" Value="0"/>
     <FCBool Name="FirstStart2024" Value="0"/>
-  </FCParamGroup></FCParamGroup>
+  </FCParamGroup><FCParamGroup Name="CNCStepper"><FCParamGroup Name="FirstSteps">
+    <FCBool Name="Closed" Value="1"/>
+  </FCParamGroup></FCParamGroup></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
 

@@ -85,19 +85,14 @@ def command(
     Arcs stay arcs, units follow the first program, and each tool is changed to once where the order of work allows it.
     Each copy is an operation, at which a restart may begin. The result is read back and, with --machine, checked.
     """
-    from CNCStepper.gcode.edit.arrange import arranged
-    from CNCStepper.job.editing.arrangement import require_apart
-    from CNCStepper.job.editing.edit_check import EditCheck
+    from CNCStepper.job.editing.arrangement import arranged_and_checked
 
     language = dialect_name(dialect, machine)
     if sum(map(bool, (at, grid, sheet))) > 1:
         raise click.UsageError("give one of --at, --grid and --sheet")
     read = _programs(programs, count, grid, language, diameter_mm / 2.0)
     copies = _copies(read, at, grid, sheet, gap_mm, turn)
-    if not allow_overlap:
-        require_apart(read, copies)
-    text = arranged(copies, language)
-    errors = EditCheck(language, None, str(out), machine).new_errors(read[0].text, text)
+    text, errors = arranged_and_checked(read, copies, language, str(out), machine, allow_overlap)
     if errors:
         show_findings(errors)
         click.echo(f"{out}: not written; the arranged program would be refused", err=True)

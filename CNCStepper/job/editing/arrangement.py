@@ -5,18 +5,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
 from shapely import Polygon
 
 from CNCStepper.errors import JobError, Place, Text
-from CNCStepper.gcode.edit.arrange import Copy
+from CNCStepper.gcode.edit.arrange import Copy, arranged
 from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.job.editing.edit_check import EditCheck
+from CNCStepper.machine.profile import Machine
 from CNCStepper.nesting.nest import nest
-from CNCStepper.nesting.nesting_model import Budget, Item, Sheet, Spacing, moved, turned
+from CNCStepper.nesting.nesting_model import Budget, Item, Placement, Sheet, Spacing, moved, turned
 from CNCStepper.nesting.outlines import simplified
+from CNCStepper.simulation.finding import Finding
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, RAPID, Toolpath
 
 CHORD_RAD = 0.1  # of arcs in an outline
@@ -103,26 +106,39 @@ def on_sheet(
     programs: Sequence[Program], size_mm: tuple[float, float], gap_mm: float, rotations_deg: Sequence[float]
 ) -> list[Copy]:
     """Return the copies nested on a sheet from 0, 0; raises JobError that names a copy without a place."""
-    items = [
-        Item(program.name, program.outline, program.outline, program.count, tuple(rotations_deg))
-        for program in programs
-    ]
-    sheet = Sheet("work surface", shapely.box(0.0, 0.0, *size_mm))
-    layout = nest(items, [sheet], Spacing(gap_mm + 2.0 * ROUNDING_MM), Budget(SEARCH_S))
+    items = items_of(programs, rotations_deg)
+    placements = nested(items, work_surface(size_mm), gap_mm, Budget(SEARCH_S))
+    return copies_at(programs, placements)
+
+
+def items_of(programs: Sequence[Program], rotations_deg: Sequence[float] | None) -> list[Item]:
+    """Return the programs as what is nested; rotations_deg: None for any."""
+    allowed = None if rotations_deg is None else tuple(rotations_deg)
+    return [Item(program.name, program.outline, program.outline, program.count, allowed) for program in programs]
+
+
+def work_surface(size_mm: tuple[float, float]) -> Sheet:
+    """Return the sheet from 0, 0 on which programs lie."""
+    return Sheet("work surface", shapely.box(0.0, 0.0, *size_mm))
+
+
+def nested(items: Sequence[Item], sheet: Sheet, gap_mm: float, budget: Budget) -> list[Placement]:
+    """Return where the items lie, rounded to what programs are written in; raises JobError for one without a place."""
+    layout = nest(items, [sheet], Spacing(gap_mm + 2.0 * ROUNDING_MM), budget)
     if layout.unplaced:
         missing = layout.unplaced[0]
         name = items[missing.item].name
         what = Text("{count} copies of {name} have no place on the work surface", count=missing.count, name=name)
         raise JobError("arrange-room", what, advice="give fewer copies, a smaller gap or a larger --sheet")
+    return [replace(each, x_mm=_rounded(each.x_mm), y_mm=_rounded(each.y_mm)) for each in layout.placements]
+
+
+def copies_at(programs: Sequence[Program], placements: Sequence[Placement]) -> list[Copy]:
+    """Return the copies at their placements, by program and then from left to right."""
+    ordered = sorted(placements, key=lambda each: (each.item, each.x_mm, each.y_mm))
     return [
-        Copy(
-            programs[each.item].name,
-            programs[each.item].text,
-            _rounded(each.x_mm),
-            _rounded(each.y_mm),
-            each.rotation_deg,
-        )
-        for each in sorted(layout.placements, key=lambda each: (each.item, each.x_mm, each.y_mm))
+        Copy(programs[each.item].name, programs[each.item].text, each.x_mm, each.y_mm, each.rotation_deg)
+        for each in ordered
     ]
 
 
@@ -146,3 +162,21 @@ def require_apart(programs: Sequence[Program], copies: Sequence[Copy]) -> None:
         if one < other and outlines[one].intersection(outlines[other]).area > COARSE_MM**2:
             what = Text("{one} and {other} cut into each other", one=copies[one].title, other=copies[other].title)
             raise JobError("arrange-overlap", what, advice="place them farther apart, or --allow-overlap")
+
+
+def arranged_and_checked(
+    programs: Sequence[Program],
+    copies: Sequence[Copy],
+    dialect: str,
+    file: str,
+    machine: Machine | None,
+    allow_overlap: bool = False,
+) -> tuple[str, list[Finding]]:
+    """Return the one program of all copies, and the errors for which it may not be written.
+
+    Raises JobError for copies that cut into each other, ProgramError for a program that cannot be moved or sent.
+    """
+    if not allow_overlap:
+        require_apart(programs, copies)
+    text = arranged(copies, dialect)
+    return text, EditCheck(dialect, None, file, machine).new_errors(programs[0].text, text)

@@ -17,8 +17,9 @@ A drawing's outline is its largest closed chain; the closed chains in it are hol
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -41,6 +42,7 @@ from CNCStepper.quantities import MOST_ITEMS, Angle, Bounds, Coordinate, Length,
 
 Point = tuple[Coordinate, Coordinate]
 Ring = Annotated[tuple[Point, ...], Field(min_length=3, max_length=MOST_ITEMS["points"])]
+ChainsOf = Callable[[str], tuple[str, tuple[Chain, ...]]]  # of a drawing's name: its place for errors, its chains
 OUTLINE = Attributes(layer="CUT")
 
 
@@ -145,7 +147,7 @@ def read_order(path: Path) -> Order:
     with placed(Place(str(path))):
         if path.suffix.lower() == ".json":
             return _instance(read_json(path))
-        return _order(validated(OrderForm, read_toml(path), str(path)), path.parent)
+        return order_of(validated(OrderForm, read_toml(path), str(path)), partial(_read_chains, path.parent))
 
 
 def _instance(content: dict[str, Any]) -> Order:
@@ -177,8 +179,9 @@ def _strip(items: Sequence[Item], height_mm: float, stock: str) -> Sheet:
     return Sheet("strip", shapely.box(0.0, 0.0, 2.0 * sum(lengths) + 1.0, height_mm), stock=stock)
 
 
-def _order(form: OrderForm, folder: Path) -> Order:
-    drawn = [_drawn(part, number, folder, form.tolerance_mm) for number, part in enumerate(form.part)]
+def order_of(form: OrderForm, chains_of: ChainsOf) -> Order:
+    """Return the order of a form; chains_of: gives the chains of a drawing by its name in the form."""
+    drawn = [_drawn(part, number, chains_of, form.tolerance_mm) for number, part in enumerate(form.part)]
     items = tuple(item for item, _ in drawn)
     spacing = Spacing(form.kerf_mm + form.gap_mm, form.kerf_mm + form.margin_mm)
     strips = [sheet for sheet in form.sheet if sheet.strip_height_mm is not None]
@@ -188,22 +191,22 @@ def _order(form: OrderForm, folder: Path) -> Order:
         height_mm = strips[0].strip_height_mm or 0.0
         sheets: tuple[Sheet, ...] = (_strip(items, height_mm, strips[0].stock),)
         return Order(items, sheets, spacing, tuple(chains for _, chains in drawn), form.kerf_mm, height_mm)
-    sheets = tuple(sheet for number, each in enumerate(form.sheet) for sheet in _sheets(each, number, folder))
+    sheets = tuple(sheet for number, each in enumerate(form.sheet) for sheet in _sheets(each, number, chains_of))
     return Order(items, sheets, spacing, tuple(chains for _, chains in drawn), form.kerf_mm)
 
 
-def _sheets(form: SheetForm, number: int, folder: Path) -> list[Sheet]:
+def _sheets(form: SheetForm, number: int, chains_of: ChainsOf) -> list[Sheet]:
     name = form.name or f"sheet {number}"
     if form.size_mm:
         outline = shapely.box(0.0, 0.0, *form.size_mm)
     else:
-        region, _ = _region(name, folder, form.drawing or "", form.layer)
+        region, _ = _region(name, chains_of, form.drawing or "", form.layer)
         with named(name):
             outline = within_polygon(region, EXACT_MM)
     return [Sheet(name, outline, form.grain_deg, form.stock)] * form.count
 
 
-def _drawn(form: PartForm, number: int, folder: Path, tolerance_mm: float) -> tuple[Item, tuple[Chain, ...]]:
+def _drawn(form: PartForm, number: int, chains_of: ChainsOf, tolerance_mm: float) -> tuple[Item, tuple[Chain, ...]]:
     """Return a part and the chains that are drawn for it."""
     name = form.name or (Path(form.drawing).stem if form.drawing else f"part {number}")
     if form.polygon_mm:
@@ -212,7 +215,7 @@ def _drawn(form: PartForm, number: int, folder: Path, tolerance_mm: float) -> tu
         chains = tuple(Chain(from_points(ring[:-1], True), OUTLINE) for ring in rings)
         outline = exact = polygon
     else:
-        region, chains = _shape(form, name, folder)
+        region, chains = _shape(form, name, chains_of)
         with named(name):
             exact = holding_polygon(region, EXACT_MM)
             outline = simplified(exact, tolerance_mm)
@@ -235,9 +238,9 @@ def _item(form: PartForm, number: int, name: str, outline: Polygon, exact: Polyg
     )
 
 
-def _shape(form: PartForm, name: str, folder: Path) -> tuple[Region, tuple[Chain, ...]]:
+def _shape(form: PartForm, name: str, chains_of: ChainsOf) -> tuple[Region, tuple[Chain, ...]]:
     if form.drawing is not None:
-        return _region(name, folder, form.drawing, form.layer)
+        return _region(name, chains_of, form.drawing, form.layer)
     if form.diameter_mm is not None:
         curve = circle((form.diameter_mm / 2.0, form.diameter_mm / 2.0), form.diameter_mm / 2.0)
     else:
@@ -246,13 +249,16 @@ def _shape(form: PartForm, name: str, folder: Path) -> tuple[Region, tuple[Chain
     return Region.of([curve]), (Chain(curve, OUTLINE),)
 
 
-def _region(name: str, folder: Path, file: str, layer: str | None) -> tuple[Region, tuple[Chain, ...]]:
+def _read_chains(folder: Path, file: str) -> tuple[str, tuple[Chain, ...]]:
+    return str(folder / file), read_drawing(folder / file, ReadOptions()).chains
+
+
+def _region(name: str, chains_of: ChainsOf, file: str, layer: str | None) -> tuple[Region, tuple[Chain, ...]]:
     """Return the outline with its holes in a drawing, and all its chains."""
-    path = folder / file
-    chains = read_drawing(path, ReadOptions()).chains
+    place, chains = chains_of(file)
     if layer is not None:
         chains = tuple(chain for chain in chains if chain.attributes.layer.casefold() == layer.casefold())
-    with placed(Place(str(path))), named(name):
+    with placed(Place(place)), named(name):
         return outline_region([chain.curve for chain in chains]), chains
 
 

@@ -41,6 +41,16 @@ class TurnedAnswer(ProgramAnswer):
     rings: tuple[np.ndarray, ...]
 
 
+@dataclass(frozen=True)
+class TurnedQuestion:
+    """The proof of a request. on_part: the moves on the part; first_row: their first one in the verdict's moves."""
+
+    proof: Proof
+    verdict: TurnedVerdict
+    on_part: Toolpath
+    first_row: int
+
+
 def write_job_question(folder: Path, program: str, job: TurningJob, machine: Machine, part: int, title: str) -> None:
     """Write the request for one of the programs of a job; title: with which the job's programs are made."""
     write_program(folder, program, machine)
@@ -62,10 +72,8 @@ def is_turned(folder: Path) -> bool:
     return (folder / QUESTION).exists()
 
 
-def prove_question(
-    folder: Path, program: str, machine: Machine, name: str, start: Start | None
-) -> tuple[Proof, TurnedVerdict, Toolpath]:
-    """Return proof and verdict of the program of a request, and its moves on the part; raises what the core raises."""
+def prove_question(folder: Path, program: str, machine: Machine, name: str, start: Start | None) -> TurnedQuestion:
+    """Return the proof of the program of a request; raises what the core raises."""
     from CNCStepper.job.turning.prove_program import TurnedBar, prove_turned
     from CNCStepper.machine.profile import validated
     from CNCStepper.machine.tools.turning_tool import TurningTool
@@ -76,12 +84,10 @@ def prove_question(
     tools = [validated(TurningTool, raw, name) for raw in content["tools"]]
     by_number = {tool.number: tool for tool in tools}
     proof, verdict = prove_turned(program, machine, TurnedBar(**content["bar"]), by_number, file=name, start=start)
-    return proof, verdict, proof.toolpath
+    return TurnedQuestion(proof, verdict, proof.toolpath, 0)
 
 
-def _of_job(
-    content: dict[str, Any], program: str, machine: Machine, name: str, start: Start | None
-) -> tuple[Proof, TurnedVerdict, Toolpath]:
+def _of_job(content: dict[str, Any], program: str, machine: Machine, name: str, start: Start | None) -> TurnedQuestion:
     """Return the same of a program of a job: behind those that come before it, and in place of its own text."""
     from CNCStepper.job.turning.make_turning import make_turning
     from CNCStepper.job.turning.prove_turning import prove_turning
@@ -91,7 +97,7 @@ def _of_job(
     made = make_turning(job, machine, content["title"])[:number]
     programs = [*made[:-1], replace(made[-1], program=program)]
     *_, proven = prove_turning(job, machine, programs, Path(), name, start)
-    return proven.proof, proven.verdict, proven.path
+    return TurnedQuestion(proven.proof, proven.verdict, proven.path, proven.first_row)
 
 
 def write_turned_answer(

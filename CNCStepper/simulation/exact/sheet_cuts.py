@@ -18,6 +18,7 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
+from CNCStepper.machine.profile import Machine
 from CNCStepper.simulation.check_context import CheckContext, Cutting
 from CNCStepper.simulation.cutter_solid import Tools, tool_numbered
 from CNCStepper.simulation.exact.beams import beam_rows
@@ -145,10 +146,16 @@ class SheetCuts:
     def _rows_that_cut(self, subject: CheckContext) -> tuple[np.ndarray, np.ndarray]:
         """Return which rows cut through the sheet, and on which the beam is not on, bool[n] each."""
         is_beam, on = beam_rows(subject.toolpath, self._tools)
-        feeds, data = subject.table.kind != RAPID, self.cutting.cut_data
-        least = MARKING_SHARE * data.power if data else 0.0
+        feeds, least = subject.table.kind != RAPID, self._least_rpm(subject.machine)
         through = [is_torch(state) and state.spindle_rpm >= least for state in subject.toolpath.states]
         return on & feeds & np.array(through, bool)[subject.table.state], is_beam & ~(on & feeds)
+
+    def _least_rpm(self, machine: Machine) -> float:
+        """Return the S word from which a beam goes through, 0 where the chart's row has no power."""
+        data = self.cutting.cut_data
+        if data is None or not (data.power or (data.power_percent and machine.has_spindle)):
+            return 0.0
+        return MARKING_SHARE * data.power_s(machine.spindle.max_rpm)
 
     def _numbers(self, through: np.ndarray) -> np.ndarray:
         """Return the number of the cut that each row belongs to, int64[n]; of other rows, that of the one before."""

@@ -160,7 +160,11 @@ def number_text(value: float) -> str:
 
 def new_figure(width_inch: float, height_inch: float) -> Figure:
     """Return an empty white figure whose height is a whole number of pixels."""
-    return Figure(figsize=(width_inch, round(height_inch * DPI) / DPI), dpi=DPI * FINER, facecolor="white")
+    rows = round(height_inch * DPI)
+    height_inch = rows / DPI
+    while int(height_inch * DPI * FINER) < rows * FINER:  # 4.89 inches are 977.99 pixels, which are cut off
+        height_inch = float(np.nextafter(height_inch, np.inf))
+    return Figure(figsize=(width_inch, height_inch), dpi=DPI * FINER, facecolor="white")
 
 
 def pixels_of(figure: Figure) -> np.ndarray:

@@ -56,6 +56,11 @@ class DrawingProcess(QtCore.QObject):
             self._mark += 1  # what is still said of it is about nobody's question
             self._go_on()
 
+    def stop(self, who: Any) -> None:
+        """Let a search end with the best so far, which is its answer."""
+        if self._current == who:
+            self._queue.ask({"stop": self._mark})
+
     def _send(self, who: Any) -> None:
         self._current = who
         self._mark += 1

@@ -20,22 +20,24 @@ def register() -> tuple[list[str], list[str]]:
 
     from CNCStepper.workbench.commands import operations
     from CNCStepper.workbench.commands.create_object import Freehand
-    from CNCStepper.workbench.commands.drawings import ImportDrawing, Shapes, Slice, Text
+    from CNCStepper.workbench.commands.drawings import ImportDrawing, Nest, Shapes, Slice, Text
+    from CNCStepper.workbench.commands.first_steps import FirstSteps
     from CNCStepper.workbench.commands.job import ImportTools, NewJob
     from CNCStepper.workbench.commands.job_files import ExportJob, OpenJob
     from CNCStepper.workbench.commands.machines import Letters, Machines
-    from CNCStepper.workbench.commands.program import Controller, EditProgram, OpenProgram, Send, Simulate
+    from CNCStepper.workbench.commands.packages import Install
+    from CNCStepper.workbench.commands.program import Arrange, Controller, EditProgram, OpenProgram, Send, Simulate
     from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING
 
-    drawing = (NewJob(), ImportTools(), ImportDrawing(), Text(), Shapes(), Slice(), Freehand())
+    drawing = (NewJob(), ImportTools(), ImportDrawing(), Text(), Shapes(), Slice(), Nest(), Freehand())
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
     sheets = _made(operations.SHEETS)
-    machine = (EditProgram(), OpenProgram(), Simulate(), Send(), Controller(), Machines(), Letters())
-    order, files = _made(ORDERING), (OpenJob(), ExportJob())
-    for command in (*drawing, *areas, *lines_and_holes, *sheets, *order, *machine, *files):
+    machine = (EditProgram(), OpenProgram(), Arrange(), Simulate(), Send(), Controller(), Machines(), Letters())
+    order, files, setting_up = _made(ORDERING), (OpenJob(), ExportJob()), (FirstSteps(), Install())
+    for command in (*drawing, *areas, *lines_and_holes, *sheets, *order, *machine, *files, *setting_up):
         FreeCADGui.addCommand(command.name, command)
     kinds = (drawing, areas, lines_and_holes, sheets)
-    return _names(*kinds, machine), _names(*kinds, order, machine, files)
+    return _names(*kinds, machine), _names(*kinds, order, machine, files, setting_up)
 
 
 def _made(kinds: Iterable[type[Command]]) -> tuple[Command, ...]:

@@ -75,6 +75,33 @@ def _slices(document: Any, objects: list[Any]) -> Any:
     return labelled(api.add_slices(document, last_solid(objects)), tr("Slices"))
 
 
+class Nest(Command):
+    """Places drawings and outlines on sheets of material."""
+
+    name = "CNCStepper_Nest"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Nest", "Nest on sheets…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Nest", "Places the selected drawings on sheets of material, as often as they are wanted"
+    )
+
+    def why_not(self) -> str:
+        """Return why nothing can be nested."""
+        return missing_packages.why_not() or targets.why_no_view() or targets.why_no_panel()
+
+    def run(self) -> None:
+        """Make the nest of what is selected, and open its panel."""
+        document = targets.document()
+        create(document, self.text(), lambda: _nest(document, targets.selected()))
+
+
+def _nest(document: Any, objects: list[Any]) -> Any:
+    """Return a nest of those of some objects that have outlines."""
+    from CNCStepper.workbench import api
+    from CNCStepper.workbench.features.drawings.nest import is_part
+
+    return labelled(api.add_nest(document, [each for each in objects if is_part(each)]), tr("Nest"))
+
+
 class Text(Command):
     """Adds a text; also a document, when none is open."""
 

@@ -3,16 +3,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
-from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.messages import note, notice
+from CNCStepper.workbench.services.messages import note
 from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
-from CNCStepper.workbench.services.view_fit import show_all
 
 
 class OpenJob(Command):
@@ -36,24 +33,9 @@ class OpenJob(Command):
         """Make the objects as one undo step, and show what they do not hold."""
         import FreeCAD
 
-        document = targets.document() or FreeCAD.newDocument()
-        document.openTransaction(self.text())
-        try:
-            notes = self._opened(document, path)
-        except Exception:
-            document.abortTransaction()
-            raise
-        document.commitTransaction()
-        show_all()
-        if notes:
-            notice(tr("{0} was opened").format(Path(path).name), "\n".join(map(translated, notes)))
+        from CNCStepper.workbench.document.job_files import open_as_one_step
 
-    def _opened(self, document: Any, path: str) -> list[str]:
-        from CNCStepper.workbench.document.job_files import open_job
-
-        _, notes = open_job(document, path)
-        document.recompute()
-        return notes
+        open_as_one_step(targets.document() or FreeCAD.newDocument(), path, self.text())
 
 
 class ExportJob(Command):

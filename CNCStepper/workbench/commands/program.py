@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.workbench.commands.create_object import create, labelled
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.editor import active_program
 from CNCStepper.workbench.proving import prove_program
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
-from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
 
 
 class EditProgram(Command):
@@ -55,6 +56,34 @@ class OpenProgram(Command):
         path = ask_which()
         if path is not None:
             editor.open_file(path)
+
+
+class Arrange(Command):
+    """Places programs on the work surface, as one program."""
+
+    name = "CNCStepper_Arrangement"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Arrangement", "Arrange programs…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Arrangement", "Places programs on the work surface with the mouse, and makes one program of them"
+    )
+
+    def why_not(self) -> str:
+        """Return why nothing can be arranged."""
+        return missing_packages.why_not() or targets.why_no_view() or targets.why_no_panel() or targets.why_no_job()
+
+    def run(self) -> None:
+        """Make the arrangement of the selected programs, else of the job's own, and open its panel."""
+        job, selected = targets.job(), targets.selected()
+        create(job.Document, self.text(), lambda: _arrangement(job, selected))
+
+
+def _arrangement(job: Any, selected: list[Any]) -> Any:
+    """Return an arrangement of those of some objects that have programs, else of the job's."""
+    from CNCStepper.workbench import api
+    from CNCStepper.workbench.features.programs.arrangement import is_source
+
+    found = [each for each in selected if is_source(each)] or [each for each in [job] if is_source(each)]
+    return labelled(api.add_arrangement(job, found), tr("Arrangement"))
 
 
 class Further(Command):

@@ -16,6 +16,7 @@ from typing import Any
 
 from CNCStepper.control.processes.background_thread import in_background
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.document.drawing_work import DrawingWork
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.features.drawings.drawing import (
     CHANGED,
@@ -67,75 +68,38 @@ def _looked_at(path: Path, state: Any) -> str:
         return MISSING
 
 
-class Reading:
-    """One reading of a drawing's file beside the window; the transaction is the caller's.
+class Reading(DrawingWork):
+    """One reading of a drawing's file beside the window; after a refusal nothing has changed."""
 
-    done: called when the objects are made. failed: with the error, and then nothing has changed. share: with what is
-    done, 0 to 1.
-    """
+    _steps: Iterator[None] | None = None
 
-    def __init__(
-        self,
-        obj: Any,
-        done: Callable[[], None],
-        failed: Callable[[CNCStepperError], None],
-        share: Callable[[float], None] = lambda share: None,
-    ):
-        self._obj, self._done, self._failed, self._share = obj, done, failed, share
-        self._place = obj.Document.Name, obj.Name
-        self._steps: Iterator[None] | None = None
-        self._ended = False
+    def question(self) -> dict[str, Any]:
+        """Return what the process is asked; raises JobError for a bad option."""
+        return question_of(self.obj)
 
-    def begin(self) -> None:
-        """Ask the process; raises JobError for a bad option."""
-        from CNCStepper.workbench.calculation.drawing_process import DrawingRequest, process
-
-        process().ask(self, DrawingRequest(question_of(self._obj), self._take, self._refuse, self._share))
-
-    def end(self) -> None:
-        """Make nothing any more."""
-        from CNCStepper.workbench.calculation.drawing_process import process
-
-        self._ended, self._steps = True, None
-        process().forget(self)
-
-    @property
-    def _is_there(self) -> bool:
-        """Whether the object is still in its document."""
-        import FreeCAD
-
-        document, name = self._place
-        return document in FreeCAD.listDocuments() and FreeCAD.getDocument(document).getObject(name) is not None
-
-    def _take(self, content: dict[str, Any]) -> None:
+    def take(self, answer: dict[str, Any]) -> None:
+        """Make the objects of what was read."""
         from CNCStepper.job.drawings.imported_drawing import unpacked
 
-        if not self._ended and self._is_there:
-            self._steps = applied(self._obj, unpacked(content))
-            self._step()
+        self._steps = applied(self.obj, unpacked(answer))
+        self._step()
 
     def _step(self) -> None:
         """Make some objects, and more when the window has seen to its events."""
         from PySide import QtCore
 
-        if self._steps is None or not self._is_there:
+        if self._steps is None or not self.goes_on:
             return
         until_s = time.perf_counter() + STEP_S
         try:
             while time.perf_counter() < until_s:
                 if next(self._steps, DONE) is DONE:
-                    self._ended = True
-                    self._done()
+                    self.finish()
                     return
         except CNCStepperError as error:
-            self._refuse(error)
+            self.refuse(error)
             return
         QtCore.QTimer.singleShot(0, guarded(self._step))
-
-    def _refuse(self, error: CNCStepperError) -> None:
-        if not self._ended and self._is_there:
-            self._ended = True
-            self._failed(error)
 
 
 def ask_file(folder: str, take: Callable[[str], None]) -> None:

@@ -18,8 +18,10 @@ from CNCStepper.workbench import packages
 from CNCStepper.workbench.document.turning_files import export_turning_job, open_turning_job
 from CNCStepper.workbench.features.base import LATHE_JOB, edit, proxy_type
 from CNCStepper.workbench.features.catalogue import operation_class
-from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.messages import guarded, notice
 from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.view_fit import show_all
 
 if TYPE_CHECKING:
     from CNCStepper.geometry.curve import Curve
@@ -59,6 +61,21 @@ def open_job(document: Any, path: str | Path) -> tuple[Any, list[str]]:
     model = Job.load(path)
     job = opened(document, model, Path(path).stem)
     return job, [*model.notes, *differences(job, model)]
+
+
+def open_as_one_step(document: Any, path: str, text: str) -> None:
+    """Make the objects of a job file as one undo step with that text, bring them into view, and say what they lack."""
+    document.openTransaction(text)
+    try:
+        _, notes = open_job(document, path)
+        document.recompute()
+    except Exception:
+        document.abortTransaction()
+        raise
+    document.commitTransaction()
+    show_all()
+    if notes:
+        notice(tr("{0} was opened").format(Path(path).name), "\n".join(map(translated, notes)))
 
 
 def exported(obj: Any) -> Job:

@@ -7,15 +7,17 @@ No recompute writes over it.
 from __future__ import annotations
 
 import hashlib
+from pathlib import Path
 from typing import Any
 
 from CNCStepper.errors import JobError
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.document.undo_observer import follow
-from CNCStepper.workbench.features.base import LINK, TEXT, Feature, Property, is_job, proxy_type
+from CNCStepper.workbench.features.base import LINK, TEXT, Feature, Property, edit, is_job, proxy_type
 from CNCStepper.workbench.services.translation import later
 
 PROGRAM = later("Program")
+ARRANGEMENT = "CNCStepper_Arrangement"
 
 
 class Program(Feature):
@@ -41,6 +43,13 @@ class Program(Feature):
         super().add_properties(obj)
         follow()
 
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Let arrangements of this program say that it has changed; FreeCAD calls this at every change."""
+        if name == "Program" and "Restore" not in obj.State:
+            for each in obj.InList:
+                if proxy_type(each) == ARRANGEMENT:
+                    each.Proxy.execute(each)
+
     def make(self, obj: Any) -> None:
         """Say whether the job's own program is still the one that was edited; the text stays as it is."""
         if not is_job(obj.Job):
@@ -62,3 +71,20 @@ def is_of_a_file(obj: Any) -> bool:
 def job_behind(obj: Any) -> Any:
     """Return the job whose machine, stock and tools a program is for: an edited program's, else the object itself."""
     return obj.Job if proxy_type(obj) == Program.Type else obj
+
+
+def program_of_file(job: Any, path: Path) -> Any:
+    """Return the program with the text of a G-code file, for the machine, stock, tools and clamps of a job.
+
+    One that was read from the same file before takes its text. Raises JobError for a file that cannot be read.
+    """
+    text, _ = program_file.read(path)
+    obj = next((obj for obj in job.InList if is_of_a_file(obj) and obj.File == str(path)), None)
+    if obj is None:
+        obj = job.Document.addObject("App::FeaturePython", Program.Type)
+        Program(obj)
+        edit(obj, job=job)
+    obj.Label, obj.File = path.name, str(path)
+    program_file.store(obj, text)
+    job.Message = job.Message  # an output: nothing is out of date by that, but FreeCAD's tree looks at the job again
+    return obj

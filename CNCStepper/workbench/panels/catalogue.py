@@ -23,6 +23,8 @@ RARE = (FINISH, PATH, TABS, LEADS, RULES)  # groups of operations
 FREEHAND = "CNCStepper_Freehand"
 DRAWING = "CNCStepper_Drawing"
 SLICES = "CNCStepper_Slices"
+NEST = "CNCStepper_Nest"
+ARRANGEMENT = "CNCStepper_Arrangement"
 OUTLINES = ("CNCStepper_Text", "CNCStepper_Shape")
 HIDDEN = {FREEHAND: ("points_mm",)}
 
@@ -44,6 +46,14 @@ def panel_of(obj: Any) -> Panel:
         from CNCStepper.workbench.panels.slices import SlicesPanel, SolidField
 
         return SlicesPanel(obj, Editor(obj, {"solid": SolidField}))
+    if name == NEST:
+        from CNCStepper.workbench.panels.placing.nest import NestPanel
+
+        return NestPanel(obj, Editor(obj, {}, (), ("parts", "part_values", "remnants")))
+    if name == ARRANGEMENT:
+        from CNCStepper.workbench.panels.placing.arrangement import ArrangementPanel, JobField
+
+        return ArrangementPanel(obj, Editor(obj, {"job": JobField}, (), ("programs", "files", "counts")))
     if name in OUTLINES:
         from CNCStepper.workbench.panels.text import FontField, LinesField, OutlinePanel
 

@@ -64,6 +64,14 @@ def model_of_type(obj: Any) -> Any:
         from CNCStepper.job.slicing.slice_form import SliceForm
 
         return SliceForm
+    if proxy_type(obj) == "CNCStepper_Nest":
+        from CNCStepper.job.nesting.nest_form import NestForm
+
+        return NestForm
+    if proxy_type(obj) == "CNCStepper_Arrangement":
+        from CNCStepper.job.editing.arrange_form import ArrangeForm
+
+        return ArrangeForm
     if not getattr(obj.Proxy, "CYCLE", ""):
         return None
     from CNCStepper.cycles.catalogue import cycle_class

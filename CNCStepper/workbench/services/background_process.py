@@ -66,6 +66,11 @@ class Worker(QtCore.QObject):
         """Whether it is not over."""
         return self._process.poll() is None
 
+    @property
+    def status(self) -> int:
+        """Its exit status, once `ended` is sent."""
+        return self._process.wait()
+
     def write(self, data: bytes) -> None:
         """Send it bytes, as soon as it takes them."""
         self._to_write.put(data)

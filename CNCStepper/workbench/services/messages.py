@@ -72,9 +72,12 @@ def error(problem: BaseException) -> None:
     _show("fault", "Critical", what, tr("Please report it, with the details, at {0}").format(REPORT_AT), details)
 
 
-def notice(text: str, more: str = "") -> None:
-    """Show something that concerns the whole workbench in a window of its own, and return at once."""
-    _show("notice", "Information", text, more)
+def notice(text: str, more: str = "", remedy: tuple[str, Callable[[], Any]] | None = None) -> None:
+    """Show something that concerns the whole workbench in a window of its own, and return at once.
+
+    remedy: the text of a button, and what it does.
+    """
+    _show("notice", "Information", text, more, remedy=remedy)
 
 
 def note(text: str) -> None:
@@ -137,7 +140,14 @@ def sentence(problem: CNCStepperError) -> str:
     return f"{place}{translated(problem.what)}" + (f" ({', '.join(numbers)})" if numbers else "")
 
 
-def _show(kind: str, icon: str, text: str, more: str = "", details: str = "") -> None:
+def _show(
+    kind: str,
+    icon: str,
+    text: str,
+    more: str = "",
+    details: str = "",
+    remedy: tuple[str, Callable[[], Any]] | None = None,
+) -> None:
     import FreeCAD
 
     if not FreeCAD.GuiUp:
@@ -147,6 +157,11 @@ def _show(kind: str, icon: str, text: str, more: str = "", details: str = "") ->
 
     box = _box(kind, icon, text, more)
     box.addButton(QtGui.QMessageBox.StandardButton.Ok).setObjectName("CNCStepper_Tell_ok")
+    if remedy:
+        button = box.addButton(remedy[0], QtGui.QMessageBox.ButtonRole.ActionRole)
+        button.setObjectName("CNCStepper_Tell_remedy")
+        button.clicked.connect(guarded(remedy[1]))
+        box.setDefaultButton(button)
     if details:
         box.setDetailedText(details)
     box.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)

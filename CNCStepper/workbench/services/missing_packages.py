@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The packages that FreeCAD's Python lacks, the consequence, and how to install them."""
+"""The packages that FreeCAD's Python lacks, and the consequence."""
 
 from __future__ import annotations
 
 import functools
 import importlib
-import os
-import sys
+from collections.abc import Callable
+from typing import Any
 
 from CNCStepper import dependencies
 from CNCStepper.workbench import packages
@@ -33,11 +33,15 @@ def lacking_packages() -> list[str]:
 
 
 @functools.cache
-def report_once() -> None:
-    """Say what is missing and how to get it; only the first time, for it stays so until somebody installs it."""
+def report_once(install: Callable[[], Any]) -> None:
+    """Say what is missing and offer to install it; only the first time, for it stays so until somebody does.
+
+    install: opens the dialog that asks before it installs anything.
+    """
     lacking = lacking_packages()
     if lacking:
-        messages.notice("\n".join(consequences(lacking)), how_to_get(lacking))
+        advice = tr("'Install packages' asks first, and needs no administrator. You find it in the menu too.")
+        messages.notice("\n".join(consequences(lacking)), advice, (tr("Install packages…"), install))
 
 
 def consequences(lacking: list[str]) -> list[str]:
@@ -52,19 +56,6 @@ def consequences(lacking: list[str]) -> list[str]:
     if dependencies.FAST in lacking:
         found.append(tr("FreeCAD's Python lacks numba. All works without, but planning and simulating are slow."))
     return found
-
-
-def how_to_get(lacking: list[str]) -> str:
-    """Return how to get packages for FreeCAD's Python, with the command to type."""
-    version = f"{sys.version_info[0]}.{sys.version_info[1]}"
-    python = f"py -{version}" if os.name == "nt" else f"python{version}"
-    names = " ".join(dependencies.pip_names(lacking))
-    return (
-        tr("To install the missing packages, type in a terminal, with Python {0}, and start FreeCAD again:").format(
-            version
-        )
-        + f'\n\n{python} -m pip install --target "{packages.own_folder()}" {names}'
-    )
 
 
 def _listed(names: list[str]) -> str:

@@ -5,7 +5,13 @@ from __future__ import annotations
 
 
 def show_all() -> None:
-    """Let the active 3D view show all there is: what is new is seldom where the camera looks."""
-    import FreeCADGui
+    """Let the active 3D view show all there is: what is new is seldom where the camera looks.
 
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    Without a window there is none.
+    """
+    import FreeCAD
+
+    if FreeCAD.GuiUp:
+        import FreeCADGui
+
+        FreeCADGui.SendMsgToActiveView("ViewFit")

@@ -14,11 +14,15 @@ def open_simulation(job_object: Any, restart: Callable[[Any, int], object]) -> A
     """
     import FreeCADGui
 
+    from CNCStepper.workbench.features.base import LATHE_JOB, proxy_type
+    from CNCStepper.workbench.features.program import job_behind
     from CNCStepper.workbench.panels.view_task_panel import require_free
     from CNCStepper.workbench.simulation.task import SimulationTask
+    from CNCStepper.workbench.simulation.turned_task import TurnedSimulationTask
 
     require_free()
-    task = SimulationTask(job_object, restart)
+    kind = TurnedSimulationTask if proxy_type(job_behind(job_object)) == LATHE_JOB else SimulationTask
+    task = kind(job_object, restart)
     FreeCADGui.Control.showDialog(task)
     task.begin()
     return task

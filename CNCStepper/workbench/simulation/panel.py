@@ -18,7 +18,7 @@ from CNCStepper.workbench.simulation.program_list import ProgramList
 from CNCStepper.workbench.simulation.scene import FEED_RGB, RAPID_RGB
 
 if TYPE_CHECKING:
-    from CNCStepper.workbench.proving.proof_process import ProofResult
+    from CNCStepper.workbench.proving.proof_process import ProofResult, ProvenProgram
 
 BAR_PX = 12
 GAP_PX = 4
@@ -134,16 +134,12 @@ class SimulationPanel(QtGui.QWidget):
         layout.addWidget(self._path_box())
         layout.addWidget(self._keep_button())
         layout.addWidget(self._restart_button())
-        layout.addLayout(_totals(result))
+        layout.addLayout(totals_grid(result))
         self.findings.show(result.findings)
         yield
         self.program.show_program(result.program_lines)
         yield
-        split = QtGui.QSplitter(QtCore.Qt.Orientation.Vertical)
-        split.setChildrenCollapsible(False)
-        split.addWidget(_titled(tr("Program"), self.program))
-        split.addWidget(_titled(_findings_title(result), self.findings))
-        layout.addWidget(split, 1)
+        layout.addWidget(findings_box(result, self.program, self.findings), 1)
         self._layout.addWidget(self._content, 1)
 
     def set_keeping(self, busy: bool) -> None:
@@ -172,7 +168,17 @@ class SimulationPanel(QtGui.QWidget):
         return box
 
 
-def _totals(result: ProofResult) -> Any:
+def findings_box(result: ProvenProgram, program: Any, findings: Any) -> Any:
+    """Return the lists of a program and of its findings, one over the other."""
+    split = QtGui.QSplitter(QtCore.Qt.Orientation.Vertical)
+    split.setChildrenCollapsible(False)
+    split.addWidget(_titled(tr("Program"), program))
+    split.addWidget(_titled(_findings_title(result), findings))
+    return split
+
+
+def totals_grid(result: ProvenProgram) -> Any:
+    """Return what a program comes to."""
     grid = QtGui.QGridLayout()
     for row, (name, label, text) in enumerate(totals(result.report)):
         value = QtGui.QLabel(text)
@@ -185,7 +191,7 @@ def _totals(result: ProofResult) -> Any:
     return grid
 
 
-def _findings_title(result: ProofResult) -> str:
+def _findings_title(result: ProvenProgram) -> str:
     if result.refused:
         return tr("Findings ({0}): the program must not be sent").format(len(result.findings))
     return tr("Findings ({0})").format(len(result.findings))

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 TICK_MS = 33
 MS_PER_S = 1000.0
-LINE, MOVE, PULSE = "line", "move", "pulse"  # what is stepped by
+LINE, MOVE, PULSE, OPERATION = "line", "move", "pulse", "operation"  # what is stepped by
 
 
 class Player(QtCore.QObject):
@@ -36,6 +36,7 @@ class Player(QtCore.QObject):
         self.time_s = 0.0
         self.row = 0
         self.steps: tuple[int, ...] = ()
+        self.operations_s: Sequence[float] = ()  # when each operation ends, where that is known
         self._passed = QtCore.QElapsedTimer()
         self._timer = QtCore.QTimer(self)
         self._timer.setTimerType(QtCore.Qt.TimerType.PreciseTimer)
@@ -99,13 +100,21 @@ class Player(QtCore.QObject):
             self.go_to_row(self.moves.row_of_line(line))
 
     def step(self, sense: int, by: str) -> None:
-        """Jump to the next (1) end of a "line" or a "move", or to the one before (-1); a "pulse" is asked for."""
+        """Jump to the next (1) end of a line, move or operation, or to the one before (-1); a pulse is asked for."""
         self.pause()
         if by == PULSE:
             self.pulse_wanted.emit(sense)
             return
+        if by == OPERATION:
+            self._step_by_operation(sense)
+            return
         step = self.moves.next_s if sense > 0 else self.moves.before_s
         self.seek(step(self.time_s, by == LINE))
+
+    def _step_by_operation(self, sense: int) -> None:
+        ends_s = [0.0, *self.operations_s, self.moves.duration_s]
+        later_s = [end_s for end_s in ends_s if (end_s - self.time_s) * sense > 0]
+        self.seek(min(later_s, key=lambda end_s: abs(end_s - self.time_s), default=self.time_s))
 
     def _tick(self) -> None:
         self.seek(self.time_s + self._passed.restart() / MS_PER_S * self.speed)

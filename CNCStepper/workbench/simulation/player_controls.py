@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 from CNCStepper.workbench.services.icons import icon as icon_named
 from CNCStepper.workbench.services.number_format import clock_text, steps_text
 from CNCStepper.workbench.services.translation import later, tr
-from CNCStepper.workbench.simulation.player import LINE, MOVE, PULSE, Player
+from CNCStepper.workbench.simulation.player import LINE, MOVE, OPERATION, PULSE, Player
 
 FINEST = 10_000  # steps of the slider over time
 FASTEST = 100.0
@@ -24,14 +24,15 @@ BUTTONS = (
     ("end", "ToEnd", later("To the end")),
 )
 STEPS = ((LINE, later("Line")), (MOVE, later("Move")), (PULSE, later("Pulse")))
+TURNED_STEPS = ((LINE, later("Line")), (MOVE, later("Move")), (OPERATION, later("Operation")))
 
 
 class Controls(QtGui.QWidget):
     """The controls of the player; they follow its state."""
 
-    def __init__(self, player: Player, parent: Any = None):
+    def __init__(self, player: Player, parent: Any = None, steps: tuple[tuple[str, str], ...] = STEPS):
         super().__init__(parent)
-        self._player = player
+        self._player, self._kinds = player, steps
         self._buttons = {name: self._button(name, icon, text) for name, icon, text in BUTTONS}
         self._steps = self._step_choice()
         self._place = _slider("CNCStepper_Simulation_time", FINEST, tr("Time in the program"))
@@ -96,9 +97,9 @@ class Controls(QtGui.QWidget):
     def _step_choice(self) -> Any:
         box = QtGui.QComboBox()
         box.setObjectName("CNCStepper_Simulation_step_by")
-        box.setToolTip(tr("What is one step: a line of the program, a move, or a pulse of the motors"))
+        box.setToolTip(tr("What is one step, on or back"))
         box.setAccessibleName(tr("One step is"))
-        for name, text in STEPS:
+        for name, text in self._kinds:
             box.addItem(tr(text), name)
         return box
 

@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
 
-from CNCStepper.workbench.features.program import job_behind
 from CNCStepper.workbench.freehand.mode import undo_step
 from CNCStepper.workbench.panels.view_task_panel import ViewTask
 from CNCStepper.workbench.proving import latest_proof
@@ -37,8 +36,8 @@ if TYPE_CHECKING:
 class SimulationTask(ViewTask):
     """The object for FreeCAD's task panel; `form` is its widget. An edit of the program is shown at once."""
 
-    def __init__(self, job: Any, restart: Callable[[Any, int], object]):
-        self.form = SimulationPanel(job.Label)
+    def __init__(self, job: Any, restart: Callable[[Any, int], object], panel: SimulationPanel | None = None):
+        self.form: Any = panel or SimulationPanel(job.Label)
         self.form.again.connect(messages.guarded(self.begin))
         self.form.path_shown.connect(messages.guarded(self._show_path))
         self.form.keep.connect(messages.guarded(self._want_mesh))
@@ -48,10 +47,10 @@ class SimulationTask(ViewTask):
         self._document_name = job.Document.Name
         self._watch = ProgramObserver(job, self._changed, self._deleted, self._document_closing)
         self._run: ProofRun | None = None
-        self._result: ProofResult | None = None
+        self._result: Any = None
         self._player: Player | None = None
-        self._scene: Scene | None = None
-        self._material: Material | None = None
+        self._scene: Any = None
+        self._material: Any = None
         self._stage: Stage | None = None
         self._loading: Iterator[None] = iter(())
         self._loader = QtCore.QTimer()
@@ -111,7 +110,7 @@ class SimulationTask(ViewTask):
     def _refuse(self, error: CNCStepperError) -> None:
         """Say why there is nothing to show, take away what was shown of it, and offer to try again."""
         self._leave_result()
-        self.form.say(_words(error), again=True)
+        self.form.say(words_of(error), again=True)
 
     def _show_part(self, part: Part, work_origin_mm: tuple[float, float, float]) -> None:
         """Show stock and part; a document without a 3D view shows nothing yet."""
@@ -131,12 +130,12 @@ class SimulationTask(ViewTask):
         yield from scene.load_part()
         stage.look()
 
-    def _show(self, result: ProofResult) -> None:
+    def _show(self, result: Any) -> None:
         """Show all that is proven; the part is mostly there already."""
         if self._scene is None:
             self._show_part(result.part, result.work_origin_mm)
         if self._scene is None:
-            self._refuse(_no_view())
+            self._refuse(no_view())
             return
         self._result = result
         self._player = Player(result.moves)
@@ -173,7 +172,7 @@ class SimulationTask(ViewTask):
     def _show_material(self, error: CNCStepperError) -> None:
         """Say why the material does not follow; the tool does."""
         self.form.set_keeping(False)
-        self.form.say(_words(error))
+        self.form.say(words_of(error))
 
     def _want_mesh(self) -> None:
         if self._material is not None and self._player is not None:
@@ -186,7 +185,7 @@ class SimulationTask(ViewTask):
             return
         self.form.set_keeping(False)
         self._material.moments.go_on()
-        self._stage.hide(keep_mesh(self._job, stl, time_s))
+        self._stage.hide(keep_mesh(self._job, stl, time_s, self._result.work_origin_mm))
 
     def _restart(self) -> None:
         """Leave the simulation, and choose the restart from the line under way."""
@@ -233,17 +232,19 @@ class SimulationTask(ViewTask):
             self._deleted()
 
 
-def _words(error: CNCStepperError) -> str:
+def words_of(error: CNCStepperError) -> str:
+    """Return an error's sentence and what to do."""
     return "\n".join(part for part in (messages.sentence(error), translated(error.advice)) if part)
 
 
-def _no_view() -> CNCStepperError:
+def no_view() -> CNCStepperError:
+    """Return the refusal of a document without a 3D view."""
     from CNCStepper.errors import JobError
 
     return JobError("view-missing", tr("this document has no 3D view"), advice=tr("open one and simulate again"))
 
 
-def keep_mesh(job: Any, stl: str, time_s: float) -> Any:
+def keep_mesh(job: Any, stl: str, time_s: float, origin_mm: tuple[float, float, float]) -> Any:
     """Add a mesh from a file in work coordinates to a job's document, at the job's work zero, in one undo step."""
     import FreeCAD
     import Mesh
@@ -252,5 +253,5 @@ def keep_mesh(job: Any, stl: str, time_s: float) -> Any:
         obj = job.Document.addObject("Mesh::Feature", "CutPart")
         obj.Label = tr("{0}, cut until {1}").format(job.Label, clock_text(time_s))
         obj.Mesh = Mesh.Mesh(stl)
-        obj.Placement = FreeCAD.Placement(FreeCAD.Vector(job_behind(job).WorkOrigin), FreeCAD.Rotation())
+        obj.Placement = FreeCAD.Placement(FreeCAD.Vector(*origin_mm), FreeCAD.Rotation())
     return obj

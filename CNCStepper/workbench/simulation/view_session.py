@@ -7,6 +7,9 @@ from typing import Any
 
 from CNCStepper.workbench.features.base import proxy_type
 
+ABOVE_DEG, BESIDE_DEG = 22.0, 18.0  # from where a lathe's part is looked at
+LEVEL = 1e-6  # of a view's direction along a plane
+
 
 def view_of(document: Any) -> Any:
     """Return a 3D view of a document, the active one if it is one, or None."""
@@ -22,6 +25,20 @@ def views_of(document: Any) -> list[Any]:
     import FreeCADGui
 
     return list(FreeCADGui.getDocument(document.Name).mdiViewsOfType("Gui::View3DInventor"))
+
+
+def point_in_plane(view: Any, pixel: tuple[int, int], origin_mm: tuple[float, ...]) -> tuple[float, ...] | None:
+    """Return the place from an origin, in the plane of its X and Z, that is seen at a pixel; None for none."""
+    import FreeCAD
+
+    camera, seen = view.getCameraNode(), view.getPoint(*pixel)
+    along = view.getViewDirection()
+    if "Perspective" in camera.getTypeId().getName().getString():
+        along = seen - FreeCAD.Vector(*camera.position.getValue().getValue())
+    if abs(along.y) < LEVEL:
+        return None
+    place = seen + along * ((origin_mm[1] - seen.y) / along.y) - FreeCAD.Vector(*origin_mm)
+    return (place.x, place.y, place.z)
 
 
 class Stage:
@@ -46,6 +63,20 @@ class Stage:
         moves = self._view.isAnimationEnabled()
         self._view.setAnimationEnabled(False)
         self._view.viewIsometric()
+        self._view.fitAll()
+        self._view.setAnimationEnabled(moves)
+
+    def look_from_the_side(self) -> None:
+        """Look at a lathe's part with Z to the right and X up, from a little above and beside it, at once."""
+        import FreeCAD
+
+        moves = self._view.isAnimationEnabled()
+        self._view.setAnimationEnabled(False)
+        vector = FreeCAD.Vector
+        straight = FreeCAD.Rotation(vector(0, 0, 1), vector(1, 0, 0), vector(0, 1, 0), "XYZ")
+        above = FreeCAD.Rotation(vector(1, 0, 0), -ABOVE_DEG)
+        beside = FreeCAD.Rotation(vector(0, 1, 0), BESIDE_DEG)
+        self._view.setCameraOrientation(straight.multiply(beside).multiply(above).Q)
         self._view.fitAll()
         self._view.setAnimationEnabled(moves)
 

@@ -10,7 +10,9 @@ import pytest
 import shapely
 
 from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.processes import PROCESSES
+from CNCStepper.machine.profile import load_machine
 from CNCStepper.simulation.check_context import CheckContext, Cutting
 from CNCStepper.simulation.exact.free_pieces import Freed, freed_pieces, sheet_verdict
 from CNCStepper.simulation.exact.sheet_cuts import SheetCuts
@@ -73,6 +75,19 @@ def test_the_rest_of_a_halved_sheet_is_its_larger_half() -> None:
     assert strip.at_edge and strip.centre_mm[0] < 40
     (strip,) = freed(text_of((Cut((160.0, -5.0), ["G1 X160 Y155"]),))).free
     assert strip.centre_mm[0] > 160
+
+
+@pytest.mark.parametrize("power", [{"power": 800.0}, {"power_percent": 80.0}])
+def test_a_closed_mark_frees_nothing_however_the_chart_says_its_power(power: dict[str, float]) -> None:
+    laser = PROCESSES["laser"]
+    ring = "G0 X50 Y50\nM3 S{0:g}\nG1 X80 F900\nG1 Y80\nG1 X50\nG1 Y50\nM5\n"
+    text = f"G21 G90\n{ring.format(40)}{ring.replace('X50', 'X55').replace('Y50', 'Y55').format(800)}M2\n"
+    row = CutData(process="laser", material="plywood", thickness_mm=3.0, feed_mm_min=900.0, kerf_mm=0.2, **power)
+    subject = CheckContext.of(interpret(text, START), load_machine("laser-table"), "p.nc")
+    found = sheet_verdict(subject, Cutting(laser, row), beam(laser), SHEET).freed
+    assert found is not None
+    (piece,) = found.free
+    assert piece.shape.area == pytest.approx((25.0 - KERF_MM) ** 2, abs=0.5)
 
 
 def test_a_wires_one_cut_frees_its_pieces_one_after_the_other() -> None:

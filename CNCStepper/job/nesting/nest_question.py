@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a window asks about a nest, and the answer, both plain data.
+
+    {"verb": "search", "order": {...}, "drawings": {NAME: {...}}, "parts": [[sheet, item, x, y, deg, locked], ...],
+     "folder": PATH, "time_s": 20}
+
+    show        the outlines of parts and sheets alone
+    search      the parts that are not locked are placed, and the files written
+    fill        more of the part "item" where the sheet "sheet" has room; nothing is written
+    write       the files of just these parts, judged as a whole before
+
+The answer holds the outlines (`unpacked_order`), the parts, the files of the sheets, and what has no place.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from threading import Event
+from typing import Any
+
+import shapely
+from shapely import Polygon
+
+from CNCStepper.drawing.drawing import Attributes, Chain
+from CNCStepper.errors import JobError, Text
+from CNCStepper.job.drawings.imported_drawing import packed_curves, unpacked_curves
+from CNCStepper.job.nesting.nest_files import density_of, write_nest
+from CNCStepper.job.nesting.order_file import Order, OrderForm, order_of
+from CNCStepper.job.nesting.strip_process import strip_packer
+from CNCStepper.machine.profile import validated
+from CNCStepper.nesting.judge import require_sound
+from CNCStepper.nesting.manual_nesting import ManualNest, PlacedPart, filled
+from CNCStepper.nesting.nest import nest
+from CNCStepper.nesting.nesting_model import Budget, Item, Layout, Placement, Sheet, Spacing, Unplaced
+
+Rows = list[list[Any]]
+SHOW, SEARCH, FILL, WRITE = "show", "search", "fill", "write"
+
+
+def packed_chains(chains: Sequence[Chain]) -> dict[str, Any]:
+    """Return the chains of a drawing as plain data."""
+    curves = packed_curves([chain.curve for chain in chains])
+    return {"curves": curves, "layers": [chain.attributes.layer for chain in chains]}
+
+
+def rows_of(parts: Sequence[PlacedPart]) -> Rows:
+    """Return placed parts as plain data: sheet, item, x, y, rotation, whether it is locked."""
+    told = [(part.placement, part.locked) for part in parts]
+    return [[at.sheet, at.item, at.x_mm, at.y_mm, at.rotation_deg, locked] for at, locked in told]
+
+
+def parts_of(rows: Rows) -> list[PlacedPart]:
+    """Return the placed parts of `rows_of`."""
+    return [PlacedPart(Placement(*place), bool(locked)) for *place, locked in rows]
+
+
+def unpacked_order(content: dict[str, Any]) -> tuple[list[Item], list[Sheet], Spacing]:
+    """Return the items, the sheets and the spacing of an answer."""
+    items = [Item(**{**each, **_polygons(each, ("outline", "exact"))}) for each in content["items"]]
+    sheets = [Sheet(**{**each, **_polygons(each, ("outline",))}) for each in content["sheets"]]
+    return [_with_tuple(item) for item in items], sheets, Spacing(**content["spacing"])
+
+
+def answer_of(
+    asked: dict[str, Any], share: Callable[[float], None] = lambda share: None, stopped: Event | None = None
+) -> dict[str, Any]:
+    """Do what is asked; stopped: ends a search with the best so far. Raises CNCStepperError."""
+    order = _order(asked)
+    parts = parts_of(asked["parts"])
+    budget = Budget(float(asked["time_s"]), progress=share, stopped=stopped or Event())
+    layout, files = None, []
+    if asked["verb"] == SEARCH:
+        layout, parts = _searched(order, parts, budget)
+    elif asked["verb"] == FILL:
+        manual = ManualNest(order.items, order.sheets, order.spacing, parts)
+        parts += [PlacedPart(place) for place in filled(manual, asked["item"], asked["sheet"], budget)]
+    elif asked["verb"] == WRITE:
+        layout = _judged(order, parts)
+    if layout is not None:
+        files = write_nest(order, layout, Path(asked["folder"]))
+    unplaced = layout.unplaced if layout is not None else ()
+    return {
+        "order": packed_items(order.items, order.sheets, order.spacing),
+        "parts": rows_of(parts),
+        "written": layout is not None,
+        "sheets": [str(path) for path in files if path.name.startswith("sheet-")],
+        "density": density_of(order, layout) if layout is not None else 0.0,
+        "missing": sum(each.count for each in unplaced),
+        "unplaced": [_sentence(order, each) for each in unplaced],
+    }
+
+
+def _order(asked: dict[str, Any]) -> Order:
+    drawings = asked["drawings"]
+
+    def chains_of(name: str) -> tuple[str, tuple[Chain, ...]]:
+        if name not in drawings:
+            raise JobError("nest-drawing", Text("there is no drawing '{name}'", name=name), advice="choose another one")
+        curves = unpacked_curves(drawings[name]["curves"])
+        layers = drawings[name]["layers"]
+        return "", tuple(Chain(curve, Attributes(layer=layer)) for curve, layer in zip(curves, layers, strict=True))
+
+    return order_of(validated(OrderForm, asked["order"], "order"), chains_of)
+
+
+def _searched(order: Order, parts: Sequence[PlacedPart], budget: Budget) -> tuple[Layout, list[PlacedPart]]:
+    """Return the best layout that is found round the locked parts, and its parts."""
+    locked = [part.placement for part in parts if part.locked]
+    counts = [item.count for item in order.items]
+    layout = nest(with_locked(order.items, counts, locked), order.sheets, order.spacing, budget, strip_packer())
+    return layout, [PlacedPart(place, place in locked) for place in sorted(layout.placements)]
+
+
+def _judged(order: Order, parts: Sequence[PlacedPart]) -> Layout:
+    """Return the parts as a layout; raises GeometryError that names the first fault."""
+    places = tuple(part.placement for part in parts)
+    lie = Counter(place.item for place in places)
+    counts = [max(item.count, lie[number]) for number, item in enumerate(order.items)]
+    unplaced = tuple(
+        Unplaced(number, count - lie[number], "it was not placed")
+        for number, count in enumerate(counts)
+        if count > lie[number]
+    )
+    layout = Layout(places, unplaced)
+    items = with_locked(order.items, counts, [part.placement for part in parts if part.locked])
+    require_sound(items, order.sheets, order.spacing, layout)
+    return layout
+
+
+def with_locked(items: Sequence[Item], counts: Sequence[int], locked: Sequence[Placement]) -> list[Item]:
+    """Return the items with their locked placements, which count among those wanted."""
+    found = []
+    for number, (item, count) in enumerate(zip(items, counts, strict=True)):
+        own = tuple(place for place in locked if place.item == number)
+        found.append(replace(item, count=max(count - len(own), 0), locked=own))
+    return found
+
+
+def _sentence(order: Order, unplaced: Unplaced) -> Text:
+    name = order.items[unplaced.item].name
+    return Text("{count} of {name}: {why}", count=unplaced.count, name=name, why=unplaced.why)
+
+
+def packed_items(items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spacing) -> dict[str, Any]:
+    """Return what `unpacked_order` gives, as plain data."""
+    rows = [
+        {
+            "name": item.name,
+            "outline": shapely.to_wkb(item.outline, hex=True),
+            "exact": shapely.to_wkb(item.exact, hex=True),
+            "count": item.count,
+            "rotations_deg": item.rotations_deg and list(item.rotations_deg),
+            "grain_deg": item.grain_deg,
+            "stock": item.stock,
+        }
+        for item in items
+    ]
+    plates = [
+        {
+            "name": sheet.name,
+            "outline": shapely.to_wkb(sheet.outline, hex=True),
+            "grain_deg": sheet.grain_deg,
+            "stock": sheet.stock,
+        }
+        for sheet in sheets
+    ]
+    return {
+        "items": rows,
+        "sheets": plates,
+        "spacing": {"gap_mm": spacing.gap_mm, "margin_mm": spacing.margin_mm},
+    }
+
+
+def _polygons(content: dict[str, Any], keys: Sequence[str]) -> dict[str, Polygon]:
+    return {key: shapely.from_wkb(content[key]) for key in keys}
+
+
+def _with_tuple(item: Item) -> Item:
+    return item if item.rotations_deg is None else replace(item, rotations_deg=tuple(item.rotations_deg))

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A group of drawings, one for each sheet that the process has written; they are read one after the other.
+
+SheetWork(obj, …).begin() ──► process ──► sheet-1.dxf, sheet-2.dxf ──► Reading of each ──► done
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.document.drawing_files import Reading
+from CNCStepper.workbench.document.drawing_work import DrawingWork
+from CNCStepper.workbench.features.base import edit, proxy_type
+from CNCStepper.workbench.features.drawings.drawing import Drawing, path_of
+
+
+class SheetWork(DrawingWork):
+    """A work that ends with the drawings of sheets; those that were read before a refusal stay."""
+
+    def __init__(
+        self,
+        obj: Any,
+        done: Callable[[], None],
+        failed: Callable[[CNCStepperError], None],
+        share: Callable[[float], None] = lambda share: None,
+    ):
+        super().__init__(obj, done, failed, share)
+        self._to_read: list[Any] = []
+        self._reading: Reading | None = None
+
+    def end(self) -> None:
+        """Make nothing any more."""
+        if self._reading is not None:
+            self._reading.end()
+        super().end()
+
+    def read(self, sheets: list[str]) -> None:
+        """Read the files of the sheets into the group, then finish."""
+        self._to_read = drawings_of(self.obj, [Path(path) for path in sheets])
+        self._read_next()
+
+    def _read_next(self) -> None:
+        if not self.goes_on:
+            return
+        if not self._to_read:
+            self.obj.Proxy.execute(self.obj)
+            self.finish()
+            return
+        self._reading = Reading(self._to_read.pop(0), self._read_next, self.refuse)
+        try:
+            self._reading.begin()
+        except CNCStepperError as error:
+            self.refuse(error)
+
+
+def drawings_of(obj: Any, sheets: list[Path]) -> list[Any]:
+    """Return a drawing for each sheet's file: those of before where they follow it, the others new.
+
+    Drawings of sheets that are no longer made are deleted with their objects.
+    """
+    before = {path_of(each): each for each in obj.Group if proxy_type(each) == Drawing.Type}
+    found = []
+    for path in sheets:
+        drawing = before.pop(path, None)
+        if drawing is None:
+            drawing = obj.Document.addObject("App::DocumentObjectGroupPython", Drawing.Type)
+            Drawing(drawing)
+            edit(drawing, file=str(path), split="chain")
+            drawing.Label = f"{obj.Label} {path.stem}"
+            obj.addObject(drawing)
+        found.append(drawing)
+    for gone in before.values():
+        for each in gone.Group:
+            obj.Document.removeObject(each.Name)
+        obj.Document.removeObject(gone.Name)
+    return found

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""CNCStepper_Nest: parts of the document on sheets, as a group of drawings of the sheets, which operations follow.
+
+parts, counts, sheets ──► process ──► files: sheet-N.dxf ──► a CNCStepper_Drawing of each sheet
+  └── looked at when the object is made: Problem says when the sheets are not those of the parts and the values
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+from typing import Any
+
+from CNCStepper import text_json
+from CNCStepper.errors import JobError, Text
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.features.base import (
+    CONTAINERS,
+    DISTANCE,
+    ENUMERATION,
+    FLOAT,
+    HIDDEN,
+    INTEGER,
+    STALE,
+    TEXT,
+    Feature,
+    Property,
+    drawing_pairs,
+    values,
+)
+from CNCStepper.workbench.features.operation import Operation
+from CNCStepper.workbench.services.translation import later
+
+PARTS, SHEETS, MADE = later("Parts"), later("Sheets of material"), later("What was made")
+TURNS: dict[str, Any] = {"fixed": [0.0], "half": [0.0, 180.0], "quarter": [0.0, 90.0, 180.0, 270.0], "any": "any"}
+GRAINS = {"none": None, "x": 0.0, "y": 90.0}  # of the grain, degrees
+OF_WINDOW = ("folder", "parts", "part_values", "remnants")  # what is told of them apart
+DECIMALS = 5  # of the figures by which a drawing is known again
+TOLERANCE_MM = 0.002  # in which curved lines of parts become lines and arcs
+
+
+@dataclass
+class PartValues:
+    """What is wanted of one part; turn, grain: of TURNS and GRAINS."""
+
+    count: int = 1
+    turn: str = "quarter"
+    grain: str = "none"
+    priority: int = 0
+
+
+class Nest(Feature):
+    """The proxy of a nest: a group of the drawings of its sheets."""
+
+    Type = "CNCStepper_Nest"
+    PROPERTIES = (
+        Property("parts", "Parts", CONTAINERS, PARTS, later("Parts"),
+                 later("Drawings, sketches, shapes and operations whose outlines are nested"), ()),
+        Property("part_values", "PartValues", TEXT, PARTS, later("Values"), later("Of each part"), "[]"),
+        Property("kerf_mm", "Kerf", DISTANCE, PARTS, later("Kerf"), later("The width of the cut"), 0.0),
+        Property("gap_mm", "Gap", DISTANCE, PARTS, later("Gap"), later("Material that stays between two cuts"), 2.0),
+        Property("sheet_x_mm", "SheetX", DISTANCE, SHEETS, later("Length X"), later("Of a sheet of material"), 600.0),
+        Property("sheet_y_mm", "SheetY", DISTANCE, SHEETS, later("Width Y"), later("Of a sheet of material"), 400.0),
+        Property("sheet_count", "SheetsThere", INTEGER, SHEETS, later("Sheets"), later("How many there are"), 10),
+        Property("thickness_mm", "Thickness", DISTANCE, SHEETS, later("Thickness"), later("Of the sheets"), 3.0),
+        Property("sheet_grain", "SheetGrain", ENUMERATION, SHEETS, later("Grain"),
+                 later("The direction of the material's grain"), "none", choices=tuple(GRAINS)),
+        Property("margin_mm", "Margin", DISTANCE, SHEETS, later("Margin"),
+                 later("From a cut to the edge of the sheet"), 5.0),
+        Property("remnants", "Remnants", CONTAINERS, SHEETS, later("Remnants"),
+                 later("Drawings of rests of sheets, which are used first"), ()),
+        Property("time_s", "SearchTime", FLOAT, SHEETS, later("Search time"),
+                 later("How many seconds a denser nest is looked for"), 20.0),
+        Property("folder", "Folder", TEXT, SHEETS, later("Folder"),
+                 later("Where the drawings are written; empty: beside the document"), ""),
+        Property("sheets", "SheetCount", INTEGER, MADE, later("Sheets"), later("Sheets that carry parts"), 0,
+                 output=True),
+        Property("placed", "Placed", INTEGER, MADE, later("Placed"), later("Parts on all sheets"), 0, output=True),
+        Property("missing", "Missing", INTEGER, MADE, later("Missing"), later("Parts without a place"), 0, output=True),
+        Property("placements", "Placements", TEXT, MADE, later("Placements"), later("Where the parts lie"), "[]",
+                 output=True),
+        Property("made_of", "MadeOf", TEXT, MADE, later("Made of"), later("The parts and the values"), "", output=True),
+        Property("report", "Report", TEXT, MADE, later("Report"), later("What was made"), "", output=True),
+    )  # fmt: skip
+
+    def add_properties(self, obj: Any) -> None:
+        """Add what `obj` lacks; what only the object itself reads is not shown."""
+        super().add_properties(obj)
+        for name in ("PartValues", "Placements", "MadeOf", "Report"):
+            obj.setEditorMode(name, HIDDEN)
+
+    def given(self, found: dict[str, Any]) -> dict[str, Any]:
+        """Return the figures among an object's values."""
+        return {key: value for key, value in found.items() if key not in OF_WINDOW}
+
+    def make(self, obj: Any) -> None:
+        """Say why the sheets are not those of the parts; they stay as they were made."""
+        if obj.MadeOf and is_stale(obj):
+            what, advice = "a part or a value has changed since the parts were nested", "nest them again"
+            raise JobError(STALE, what, advice=advice)
+
+
+def part_values(obj: Any) -> list[PartValues]:
+    """Return what is wanted of each part, in their order."""
+    known = {field.name for field in fields(PartValues)}
+    told = [PartValues(**{key: row[key] for key in known & set(row)}) for row in json.loads(obj.PartValues)]
+    return (told + [PartValues() for _ in obj.Parts])[: len(obj.Parts)]
+
+
+def set_parts(obj: Any, parts: Sequence[Any], wanted: Sequence[PartValues]) -> None:
+    """Let these be the parts of a nest, each with its values."""
+    if list(obj.Parts) != list(parts):
+        obj.Parts = list(parts)
+    text = json.dumps([asdict(each) for each in wanted])
+    if obj.PartValues != text:
+        obj.PartValues = text
+
+
+def pairs_of(part: Any) -> tuple[tuple[Any, tuple[str, ...]], ...]:
+    """Return the drawings of a part: an operation's, what a group holds, or the object itself."""
+    if isinstance(getattr(part, "Proxy", None), Operation):
+        return drawing_pairs(part.Drawings)
+    if hasattr(part, "Group") and not part.isDerivedFrom("Part::Feature"):
+        return tuple((each, ()) for each in part.Group if each.isDerivedFrom("Part::Feature"))
+    return ((part, ()),)
+
+
+def is_part(obj: Any) -> bool:
+    """Return whether an object may be a part: its lines lie flat, and it is no solid."""
+    shapes = [each.Shape for each, _ in pairs_of(obj) if hasattr(each, "Shape")]
+    return bool(shapes) and any(shape.Edges for shape in shapes) and not any(shape.Solids for shape in shapes)
+
+
+def key_of(obj: Any) -> str:
+    """Return a text that is the same for the same parts, remnants and values."""
+    drawn = [[figures_of(each) for each in group] for group in (obj.Parts, obj.Remnants)]
+    wanted = [asdict(each) for each in part_values(obj)]
+    given = {key: value for key, value in obj.Proxy.given(values(obj)).items() if key != "time_s"}
+    return json.dumps({"drawn": drawn, "wanted": wanted, **given}, sort_keys=True)
+
+
+def figures_of(part: Any) -> list[list[float]]:
+    """Return the length and the middle of each edge of a part, by which a change of its outline is seen.
+
+    Where the part lies does not count.
+    """
+    edges = [edge for each, _ in pairs_of(part) for edge in each.Shape.Edges if not edge.Degenerated]
+    if not edges:
+        return []
+    middles = [edge.CenterOfMass for edge in edges]
+    left, low = min(middle.x for middle in middles), min(middle.y for middle in middles)
+    rows = ((edge.Length, middle.x - left, middle.y - low) for edge, middle in zip(edges, middles, strict=True))
+    return [[round(float(figure), DECIMALS) + 0.0 for figure in row] for row in rows]
+
+
+def is_stale(obj: Any) -> bool:
+    """Return whether the sheets are not those of the parts and the values."""
+    return bool(obj.MadeOf != key_of(obj))
+
+
+def folder_of(obj: Any) -> Path:
+    """Return the folder of the files; raises JobError where neither the object nor the document names one."""
+    if obj.Folder:
+        return Path(obj.Folder).expanduser()
+    if not obj.Document.FileName:
+        what, advice = "there is no folder for the drawings", "name one, or save the document"
+        raise JobError("nest-folder", what, advice=advice)
+    return Path(obj.Document.FileName).with_suffix("") / obj.Name
+
+
+def asked_of(obj: Any, verb: str, **more: Any) -> dict[str, Any]:
+    """Return what the process is asked (`job/nesting/nest_question.py`); raises CNCStepperError."""
+    packages.require()
+    from CNCStepper.job.nesting.nest_form import NestForm
+    from CNCStepper.machine.profile import validated
+
+    if not obj.Parts:
+        raise JobError("nest-parts", "there are no parts", advice="select drawings or sketches and add them")
+    found = validated(NestForm, obj.Proxy.given(values(obj)), obj.Label).model_dump()
+    wanted = part_values(obj)
+    rows = [_part_row(part, number, wanted[number]) for number, part in enumerate(obj.Parts)]
+    stock = {"thickness_mm": found["thickness_mm"]}
+    whole = {"name": "sheet", "size_mm": [found["sheet_x_mm"], found["sheet_y_mm"]], "count": found["sheet_count"]}
+    rests = [{"name": each.Label, "drawing": f"rest-{number}"} for number, each in enumerate(obj.Remnants)]
+    grain = {"grain_deg": GRAINS[found["sheet_grain"]]}
+    order = {
+        **{key: found[key] for key in ("kerf_mm", "gap_mm", "margin_mm")},
+        "sheet": [{**row, **stock, **grain} for row in (*rests, whole)],
+        "part": [{**row, **stock} for row in rows],
+    }
+    drawn = {f"part-{number}": packed_drawing(part) for number, part in enumerate(obj.Parts)}
+    drawn |= {f"rest-{number}": packed_drawing(part) for number, part in enumerate(obj.Remnants)}
+    told = {"verb": verb, "order": order, "drawings": drawn, "time_s": found["time_s"]}
+    return {"parts": json.loads(obj.Placements), "folder": str(folder_of(obj)), **told, **more}
+
+
+def _part_row(part: Any, number: int, wanted: PartValues) -> dict[str, Any]:
+    return {
+        "name": part.Label,
+        "drawing": f"part-{number}",
+        "count": wanted.count,
+        "rotations_deg": TURNS[wanted.turn],
+        "grain_deg": GRAINS[wanted.grain],
+        "priority": wanted.priority,
+    }
+
+
+def packed_drawing(part: Any) -> dict[str, Any]:
+    """Return the lines of a part as plain data, moved so that its box begins at 0, 0; raises GeometryError."""
+    from CNCStepper.drawing.drawing import Attributes, Chain
+    from CNCStepper.job.nesting.nest_question import packed_chains
+    from CNCStepper.workbench.drawings.joined_curves import drawn_of
+
+    found = drawn_of(pairs_of(part), TOLERANCE_MM).curves
+    if not found:
+        raise JobError("nest-open", Text("'{name}' holds no lines", name=part.Label), advice="take it out of the parts")
+    left, low = (min(each.curve.box_mm[axis] for each in found) for axis in (0, 1))
+    return packed_chains(
+        [
+            Chain(each.curve.moved(-left, -low), Attributes(layer=getattr(each.drawings[0], "Layer", "") or "CUT"))
+            for each in found
+        ]
+    )
+
+
+def take_answer(obj: Any, answer: dict[str, Any], made_of: str) -> None:
+    """Keep what was made of the parts and the values that `made_of` holds."""
+    obj.SheetCount, obj.Placed, obj.Missing = len(answer["sheets"]), len(answer["parts"]), answer["missing"]
+    obj.Placements = json.dumps(answer["parts"])
+    told = {key: answer[key] for key in ("density", "unplaced")}
+    obj.Report, obj.MadeOf = text_json.dumps(told), made_of

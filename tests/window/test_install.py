@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Packages come by a click, without another start of FreeCAD; a folder with small wheels is the index here."""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+import zipfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import FreeCADGui
+import pytest
+from PySide import QtGui
+from test_language import PORTUGUESE, STARTED_IN, shown_texts
+
+from CNCStepper import dependencies
+from CNCStepper.workbench import packages
+from CNCStepper.workbench.installation.dialog import Installer
+from helpers.wheels import write_wheel
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
+
+I = "CNCStepper_Install"  # noqa: E741
+NEEDS = [
+    dependencies.Need("cncstepper_probe", "cncstepper_probe", (dependencies.PROGRAM, dependencies.MACHINE)),
+    dependencies.Need("cncstepper_spare", "cncstepper_spare", (dependencies.NESTING,)),
+]
+INSTALLED_S = 60.0
+
+
+@pytest.fixture
+def wheels(tmp_path: Path) -> Path:
+    folder = tmp_path / "wheels"
+    folder.mkdir()
+    write_wheel(folder, "cncstepper_probe", "1.0", ["cncstepper_base"])
+    write_wheel(folder, "cncstepper_base", "3.0")
+    write_wheel(folder, "cncstepper_spare", "2.0")
+    return folder
+
+
+@pytest.fixture
+def target(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """Where packages come to, which this FreeCAD takes some from; it is not there yet."""
+    folder = tmp_path / "AdditionalPythonPackages" / "py399"
+    monkeypatch.setenv("CNCSTEPPER_PACKAGES", os.pathsep.join([os.environ.get("CNCSTEPPER_PACKAGES", ""), str(folder)]))
+    pins = {"cncstepper_probe": "1.0", "cncstepper_spare": "2.0"}
+    monkeypatch.setattr(dependencies, "pins", lambda: pins)
+    yield folder
+    sys.path[:] = [entry for entry in sys.path if entry != str(folder)]
+    for name in [name for name in sys.modules if name.startswith("cncstepper_")]:
+        del sys.modules[name]
+    packages._found.difference_update(need.module for need in NEEDS)
+
+
+@pytest.fixture
+def open_dialog(hand: Hand, target: Path) -> Iterator[Callable[[], Any]]:
+    opened: list[Any] = []
+
+    def show() -> Any:
+        def make() -> Any:
+            dialog = Installer(FreeCADGui.getMainWindow(), NEEDS, target)
+            dialog.show()
+            dialog.raise_()
+            dialog.activateWindow()
+            return dialog
+
+        opened.append(hand.main(make))
+        hand.wait(lambda: opened[-1].isVisible())
+        return opened[-1]
+
+    yield show
+    for dialog in opened:
+        hand.main(lambda dialog=dialog: (dialog.reject(), dialog.deleteLater()))
+
+
+def choose(hand: Hand, entry: str, path: Path) -> None:
+    """Choose a zip or a folder by the button, as a person does who types its path."""
+    hand._click_place(hand.main(lambda: places.of_widget(places.find(f"{I}_files"), None)))
+    hand.wait(lambda: places.popup_entry(entry))
+    hand._click_place(hand.main(places.popup_entry, entry))
+    hand.wait(lambda: hand.exists(f"{I}_file"), 10, "the question which file")
+    line = hand.main(lambda: places.find(f"{I}_file").findChild(QtGui.QLineEdit, "fileNameEdit"))
+    hand.main(line.setText, str(path))
+    hand.click("fileNameEdit")
+    hand.key("Return")
+    hand.wait(lambda: places.find(f"{I}_status").text(), 10, "the installation to begin")
+
+
+def ended(hand: Hand, dialog: Any) -> None:
+    hand.wait(lambda: dialog.run is None, INSTALLED_S, "the installation")
+
+
+def test_a_folder_is_installed_and_imported_at_once(hand: Hand, open_dialog: Any, wheels: Path, target: Path) -> None:
+    dialog = open_dialog()
+    assert str(target) in hand.text(f"{I}_place")
+    hand.shot("install-asks", dialog)
+    choose(hand, "From a folder…", wheels)
+    with hand.watchdog() as watch:
+        ended(hand, dialog)
+    assert hand.text(f"{I}_status").startswith("Installed."), hand.main(dialog.details.toPlainText)
+    assert hand.main(lambda: importlib.import_module("cncstepper_probe").VERSION) == "1.0"
+    assert {path.name for path in target.parent.iterdir()} == {target.name}
+    assert hand.main(dialog.list.count) == 0
+    assert not hand.main(dialog.install_button.isEnabled)
+    hand.shot("install-done", dialog)
+    print(f"the longest block of the window: {watch.max_ms:.0f} ms")
+    assert watch.max_ms < 200, "the window waits for pip"
+
+
+def test_only_what_is_marked_comes_from_a_zip(
+    hand: Hand, open_dialog: Any, wheels: Path, target: Path, tmp_path: Path
+) -> None:
+    archive = tmp_path / "packages.zip"
+    with zipfile.ZipFile(archive, "w") as written:
+        for wheel in wheels.glob("*.whl"):
+            written.write(wheel, wheel.name)
+    dialog = open_dialog()
+    hand.main(lambda: dialog.list.setFocus())
+    hand.key("Home")
+    hand.key("Down")
+    hand.key("space")
+    assert hand.main(dialog.chosen) == ["cncstepper_probe"]
+    choose(hand, "From a zip…", archive)
+    ended(hand, dialog)
+    assert not any(path.name.startswith("cncstepper_spare") for path in target.iterdir())
+    assert [hand.main(lambda: dialog.list.item(0).text()).split()[0]] == ["cncstepper_spare"]
+
+
+def test_a_failure_says_what_to_do_in_portuguese(hand: Hand, open_dialog: Any, wheels: Path, target: Path) -> None:
+    (wheels / "cncstepper_base-3.0-py3-none-any.whl").unlink()
+    hand.main(FreeCADGui.setLocale, PORTUGUESE)
+    try:
+        dialog = open_dialog()
+        choose(hand, "De uma pasta…", wheels)
+        ended(hand, dialog)
+        assert "não tem cncstepper_base" in hand.text(f"{I}_error")
+        assert "make installer PYTHONS=" in hand.text(f"{I}_error")
+        hand.click(f"{I}_details_button")
+        hand.wait(dialog.details.isVisible)
+        hand.shot("install-failed-portuguese", dialog)
+        assert {"Instalar", "De arquivos", "Detalhes", "Fechar"} <= hand.main(lambda: shown_texts(dialog))
+        assert not target.exists()
+    finally:
+        hand.main(FreeCADGui.setLocale, STARTED_IN)
+
+
+def test_cancel_ends_it_and_leaves_nothing(hand: Hand, open_dialog: Any, target: Path, tmp_path: Path) -> None:
+    endless = tmp_path / "packages.zip"
+    os.mkfifo(endless)  # nobody writes into it: reading it waits for ever
+    dialog = open_dialog()
+    hand.main(dialog.install, endless)
+    hand.wait(lambda: dialog.run is not None and dialog.run._process is not None, 20, "the process")
+    hand.shot("install-runs", dialog)
+    hand.click(f"{I}_close")
+    hand.wait(lambda: dialog.run is None)
+    assert hand.text(f"{I}_status").startswith("Cancelled")
+    assert hand.main(dialog.install_button.isEnabled)
+    hand.wait(lambda: not target.parent.exists() or not list(target.parent.iterdir()), 10, "the rest to go")
+    hand.click(f"{I}_close")
+    hand.wait(lambda: not dialog.isVisible())
