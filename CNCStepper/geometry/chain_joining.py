@@ -10,6 +10,7 @@ two that continue straightest, then the next two. A piece keeps its drawn direct
 
 from __future__ import annotations
 
+import operator
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -54,11 +55,13 @@ def numbered_chains(
     loose = [number for number in long if not closed[number]]
     partner = _partners([long[number] for number in loose], same_mm)
     chains = {number: piece for number, piece in long.items() if closed[number]}
+    loose_chains = []
     for walk in _walks(partner):
         parts = [long[loose[end // 2]] if end % 2 == 0 else long[loose[end // 2]].reversed() for end in walk]
-        chains[loose[min(walk) // 2]] = _one(parts, closed=partner[walk[0]] == walk[-1] ^ 1)
-    ordered = dict(sorted(chains.items()))
-    return ordered, _gaps([chain for chain in ordered.values() if not chain.closed], near_mm)
+        chain = chains[loose[min(walk) // 2]] = _one(parts, closed=partner[walk[0]] == walk[-1] ^ 1)
+        loose_chains += [] if chain.closed else [(loose[min(walk) // 2], chain)]
+    loose_chains.sort(key=operator.itemgetter(0))
+    return dict(sorted(chains.items())), _gaps([chain for _, chain in loose_chains], near_mm)
 
 
 def _measures(pieces: Sequence[Curve]) -> tuple[np.ndarray, np.ndarray]:

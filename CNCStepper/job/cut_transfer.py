@@ -43,7 +43,13 @@ def machine_content(machine: Machine) -> Content:
 
 def job_from(content: dict[str, Any], machine: dict[str, Any]) -> Job:
     """Return the job of `content_of`, as that machine cuts it; raises JobError."""
-    return validated(Job, {**content, "operation": _operations(content)}, "job").on(machine_from(machine))
+    return job_from_content(content).on(machine_from(machine))
+
+
+def job_from_content(content: dict[str, Any]) -> Job:
+    """Return the job of `content_of`; raises JobError."""
+    job: Job = validated(Job, {**content, "operation": _operations(content)}, "job")
+    return job
 
 
 def setting_from(content: dict[str, Any], machine: dict[str, Any]) -> Job:

@@ -6,6 +6,7 @@ before. Each line on standard output is about the newest:
 
     {"mark": 3, "drawing": {"file": PATH, "form": {...}, "limits": {...}}}
     {"mark": 3, "slices": {"solid": PATH, "folder": PATH, "title": TEXT, "form": {...}}}
+    {"mark": 3, "template": {"file": PATH, "path": PATH, "content": {...}, "make": false}}
     {"mark": 3, "nest": {...}}                    `job/nesting/nest_question.py`
     {"mark": 3, "arrange": {...}}                 `job/editing/arrange_question.py`
     {"stop": 3}                                   ends a search with the best so far
@@ -92,6 +93,12 @@ def _slices(question: dict[str, Any], share: Share, stopped: Event) -> dict[str,
     return answer_of(question["slices"], share)
 
 
+def _template(question: dict[str, Any], share: Share, stopped: Event) -> dict[str, Any]:
+    from CNCStepper.job.templates.template_answer import template_answer
+
+    return template_answer(question["template"], share)
+
+
 def _nest(question: dict[str, Any], share: Share, stopped: Event) -> dict[str, Any]:
     from CNCStepper.job.nesting.nest_question import answer_of
 
@@ -109,6 +116,7 @@ WORK: dict[str, Callable[[dict[str, Any], Share, Event], dict[str, Any]]] = {
     "slices": _slices,
     "nest": _nest,
     "arrange": _arrange,
+    "template": _template,
 }
 
 

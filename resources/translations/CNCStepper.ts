@@ -3755,6 +3755,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A click on a row with a place moves the view there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3840,6 +3844,10 @@
         </message>
         <message>
             <source>A laser's power that rises behind the pierce</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A line for each, as in job files: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4051,6 +4059,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a rule after the marked one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4255,11 +4267,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>As in the file; * is any text, ; divides several</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>As many as can be made at most, in Hz</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>As people call the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As the machine's cut charts name it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4599,6 +4619,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Columns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4867,7 +4891,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Delete</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Delete a point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Delete the marked rule</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5363,6 +5395,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Filled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5687,6 +5723,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Further values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>F{0} in/min</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5812,6 +5852,10 @@
         </message>
         <message>
             <source>Grey values are from the chart; typed values replace them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Group</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6323,6 +6367,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Import a drawing first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6348,6 +6396,10 @@
         </message>
         <message>
             <source>In machine coordinates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In mm from the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6472,6 +6524,10 @@
         </message>
         <message>
             <source>Its name in job files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its name, which is the operation's</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6600,6 +6656,10 @@
         </message>
         <message>
             <source>Later</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Layer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6887,6 +6947,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Making the job…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6904,6 +6968,10 @@
         </message>
         <message>
             <source>Marks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Marks of</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7047,6 +7115,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Move the marked rule after the one below</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move the marked rule before the one above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Moved by</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7112,6 +7188,10 @@
         </message>
         <message>
             <source>New program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New, with the tools of the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7291,6 +7371,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Of the stock around the drawing, in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the stock, in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Of the tip below the finished end face</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7339,6 +7427,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>One of the template's tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>One step back</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7372,6 +7464,10 @@
         </message>
         <message>
             <source>Open pulse letters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Open template</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8143,6 +8239,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Rule</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rule {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Rules</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8176,6 +8280,14 @@
         </message>
         <message>
             <source>Save program as…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save these rules as a template of the shop</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8751,6 +8863,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the template of a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taken out, drawn twice</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8759,11 +8875,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Takes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Templates ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8988,6 +9124,10 @@
         </message>
         <message>
             <source>The first line that is not certainly cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The first rule that takes a contour has it; operations come in this order</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9316,6 +9456,10 @@
         </message>
         <message>
             <source>The rotations in which it may lie</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rule with the sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9871,6 +10015,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What becomes of the contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What becomes one object</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10008,6 +10156,14 @@
         </message>
         <message>
             <source>Whether inner corners are opened, so that a square corner fits in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether it takes closed contours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether it takes contours that the file fills</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10447,6 +10603,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>both</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bounded engagement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10787,6 +10947,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leads the program elsewhere</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10796,6 +10960,10 @@
         </message>
         <message>
             <source>left</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>left out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10836,6 +11004,10 @@
         </message>
         <message>
             <source>make room in the folder for temporary files</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>marks of a sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10903,6 +11075,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10912,6 +11088,10 @@
         </message>
         <message>
             <source>no material there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no rule</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10928,6 +11108,10 @@
         </message>
         <message>
             <source>none yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11319,6 +11503,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the only one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11344,6 +11532,10 @@
         </message>
         <message>
             <source>threading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>through the stock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11427,6 +11619,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>yes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>yours</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11448,6 +11644,10 @@
         </message>
         <message>
             <source>{0} (edited)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} (example)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11508,6 +11708,10 @@
         </message>
         <message>
             <source>{0} is {1} now: save it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11631,6 +11835,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}: its operations are replaced</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}: {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11683,6 +11891,10 @@
         </message>
         <message>
             <source>'cncstepper drawing' prints its layers and colours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{0}' is no number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20166,6 +20378,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the further values cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23314,6 +23530,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a line for each: stepdown_mm = 2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25091,6 +25311,17 @@
         </message>
         <message>
             <source>Slice a solid…</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Template</name>
+        <message>
+            <source>Makes a job of an imported drawing by rules: layer, colour or name to operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Template…</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

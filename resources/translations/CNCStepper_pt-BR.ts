@@ -3755,6 +3755,10 @@
             <translation>Um círculo em torno do zero.</translation>
         </message>
         <message>
+            <source>A click on a row with a place moves the view there</source>
+            <translation>Um clique numa linha com um lugar leva a vista até lá</translation>
+        </message>
+        <message>
             <source>A controller is connected already.</source>
             <translation>Um controlador já está conectado.</translation>
         </message>
@@ -3841,6 +3845,10 @@
         <message>
             <source>A laser's power that rises behind the pierce</source>
             <translation>Potência do laser que sobe depois da perfuração</translation>
+        </message>
+        <message>
+            <source>A line for each, as in job files: {0}</source>
+            <translation>Uma linha para cada, como nos arquivos de trabalho: {0}</translation>
         </message>
         <message>
             <source>A line for the controller, sent with Return. The arrow keys bring back the lines before.</source>
@@ -4051,6 +4059,10 @@
             <translation>Adicionar um arquivo de código G</translation>
         </message>
         <message>
+            <source>Add a rule after the marked one</source>
+            <translation>Acrescenta uma regra depois da marcada</translation>
+        </message>
+        <message>
             <source>Add a tool to this job</source>
             <translation>Adiciona uma ferramenta a este trabalho</translation>
         </message>
@@ -4255,12 +4267,20 @@
             <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
+            <source>As in the file; * is any text, ; divides several</source>
+            <translation>Como no arquivo; * é qualquer texto, ; separa vários</translation>
+        </message>
+        <message>
             <source>As many as can be made at most, in Hz</source>
             <translation>Quantos podem ser gerados no máximo, em Hz</translation>
         </message>
         <message>
             <source>As people call the machine</source>
             <translation>Como as pessoas chamam a máquina</translation>
+        </message>
+        <message>
+            <source>As the machine's cut charts name it</source>
+            <translation>Como as tabelas de corte da máquina o chamam</translation>
         </message>
         <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
@@ -4599,6 +4619,10 @@
             <translation>Linhas fechadas em volta do que é faceado; sem elas, o bloco inteiro</translation>
         </message>
         <message>
+            <source>Colour</source>
+            <translation>Cor</translation>
+        </message>
+        <message>
             <source>Columns</source>
             <translation>Colunas</translation>
         </message>
@@ -4867,8 +4891,16 @@
             <translation>Degressão</translation>
         </message>
         <message>
+            <source>Delete</source>
+            <translation>Excluir</translation>
+        </message>
+        <message>
             <source>Delete a point</source>
             <translation>Excluir um ponto</translation>
+        </message>
+        <message>
+            <source>Delete the marked rule</source>
+            <translation>Exclui a regra marcada</translation>
         </message>
         <message>
             <source>Delete the marked tool</source>
@@ -5363,6 +5395,10 @@
             <translation>Preencher a chapa da escolhida, ou a primeira, com a linha marcada</translation>
         </message>
         <message>
+            <source>Filled</source>
+            <translation>Preenchido</translation>
+        </message>
+        <message>
             <source>Find</source>
             <translation>Localizar</translation>
         </message>
@@ -5687,6 +5723,10 @@
             <translation>Passos inteiros por volta</translation>
         </message>
         <message>
+            <source>Further values</source>
+            <translation>Outros valores</translation>
+        </message>
+        <message>
             <source>F{0} in/min</source>
             <translation>F{0} pol/min</translation>
         </message>
@@ -5813,6 +5853,10 @@
         <message>
             <source>Grey values are from the chart; typed values replace them</source>
             <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
+        </message>
+        <message>
+            <source>Group</source>
+            <translation>Grupo</translation>
         </message>
         <message>
             <source>Gusset</source>
@@ -6323,6 +6367,10 @@
             <translation>Pronta</translation>
         </message>
         <message>
+            <source>Import a drawing first</source>
+            <translation>Primeiro importe um desenho</translation>
+        </message>
+        <message>
             <source>Import drawing</source>
             <translation>Importar desenho</translation>
         </message>
@@ -6349,6 +6397,10 @@
         <message>
             <source>In machine coordinates</source>
             <translation>Em coordenadas da máquina</translation>
+        </message>
+        <message>
+            <source>In mm from the top of the stock</source>
+            <translation>Em mm a partir do topo do material bruto</translation>
         </message>
         <message>
             <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
@@ -6473,6 +6525,10 @@
         <message>
             <source>Its name in job files</source>
             <translation>Seu nome nos arquivos de trabalho</translation>
+        </message>
+        <message>
+            <source>Its name, which is the operation's</source>
+            <translation>O nome dela, que é o da operação</translation>
         </message>
         <message>
             <source>Jaw diameter</source>
@@ -6601,6 +6657,10 @@
         <message>
             <source>Later</source>
             <translation>Depois</translation>
+        </message>
+        <message>
+            <source>Layer</source>
+            <translation>Camada</translation>
         </message>
         <message>
             <source>Lead-in</source>
@@ -6887,6 +6947,10 @@
             <translation>Faz desta posição o zero-peça do eixo.</translation>
         </message>
         <message>
+            <source>Making the job…</source>
+            <translation>Fazendo o trabalho…</translation>
+        </message>
+        <message>
             <source>Margin</source>
             <translation>Margem</translation>
         </message>
@@ -6905,6 +6969,10 @@
         <message>
             <source>Marks</source>
             <translation>Marcações</translation>
+        </message>
+        <message>
+            <source>Marks of</source>
+            <translation>Marcas de</translation>
         </message>
         <message>
             <source>Material</source>
@@ -7047,6 +7115,14 @@
             <translation>Move a máquina neste sentido.</translation>
         </message>
         <message>
+            <source>Move the marked rule after the one below</source>
+            <translation>Põe a regra marcada depois da de baixo</translation>
+        </message>
+        <message>
+            <source>Move the marked rule before the one above</source>
+            <translation>Põe a regra marcada antes da de cima</translation>
+        </message>
+        <message>
             <source>Moved by</source>
             <translation>Acionado por</translation>
         </message>
@@ -7113,6 +7189,10 @@
         <message>
             <source>New program</source>
             <translation>Programa novo</translation>
+        </message>
+        <message>
+            <source>New, with the tools of the job</source>
+            <translation>Novo, com as ferramentas do trabalho</translation>
         </message>
         <message>
             <source>New…</source>
@@ -7291,6 +7371,14 @@
             <translation>Das chapas</translation>
         </message>
         <message>
+            <source>Of the stock around the drawing, in mm</source>
+            <translation>Do material bruto em volta do desenho, em mm</translation>
+        </message>
+        <message>
+            <source>Of the stock, in mm</source>
+            <translation>Do material bruto, em mm</translation>
+        </message>
+        <message>
             <source>Of the tip below the finished end face</source>
             <translation>Da ponta abaixo da face acabada</translation>
         </message>
@@ -7339,6 +7427,10 @@
             <translation>Um furo em cada ponto</translation>
         </message>
         <message>
+            <source>One of the template's tools</source>
+            <translation>Uma das ferramentas do modelo</translation>
+        </message>
+        <message>
             <source>One step back</source>
             <translation>Um passo atrás</translation>
         </message>
@@ -7373,6 +7465,10 @@
         <message>
             <source>Open pulse letters</source>
             <translation>Abrir letras de pulso</translation>
+        </message>
+        <message>
+            <source>Open template</source>
+            <translation>Abrir modelo</translation>
         </message>
         <message>
             <source>Open the 3D view of the document first</source>
@@ -8143,6 +8239,14 @@
             <translation>Linhas</translation>
         </message>
         <message>
+            <source>Rule</source>
+            <translation>Regra</translation>
+        </message>
+        <message>
+            <source>Rule {0}</source>
+            <translation>Regra {0}</translation>
+        </message>
+        <message>
             <source>Rules</source>
             <translation>Regras</translation>
         </message>
@@ -8177,6 +8281,14 @@
         <message>
             <source>Save program as…</source>
             <translation>Salvar programa como…</translation>
+        </message>
+        <message>
+            <source>Save template</source>
+            <translation>Salvar modelo</translation>
+        </message>
+        <message>
+            <source>Save these rules as a template of the shop</source>
+            <translation>Salva estas regras como um modelo da oficina</translation>
         </message>
         <message>
             <source>Saved {0}</source>
@@ -8751,6 +8863,10 @@
             <translation>Usa como grampos os sólidos selecionados</translation>
         </message>
         <message>
+            <source>Take the template of a file</source>
+            <translation>Usa o modelo de um arquivo</translation>
+        </message>
+        <message>
             <source>Taken out, drawn twice</source>
             <translation>Retirado, desenhado duas vezes</translation>
         </message>
@@ -8759,12 +8875,32 @@
             <translation>Retirado, minúsculo</translation>
         </message>
         <message>
+            <source>Takes</source>
+            <translation>Pega</translation>
+        </message>
+        <message>
             <source>Taper</source>
             <translation>Conicidade</translation>
         </message>
         <message>
             <source>Teeth</source>
             <translation>Dentes</translation>
+        </message>
+        <message>
+            <source>Template</source>
+            <translation>Modelo</translation>
+        </message>
+        <message>
+            <source>Template: {0}</source>
+            <translation>Modelo: {0}</translation>
+        </message>
+        <message>
+            <source>Templates ({0})</source>
+            <translation>Modelos ({0})</translation>
+        </message>
+        <message>
+            <source>Template…</source>
+            <translation>Modelo…</translation>
         </message>
         <message>
             <source>Text</source>
@@ -8989,6 +9125,10 @@
         <message>
             <source>The first line that is not certainly cut</source>
             <translation>A primeira linha que não está certamente cortada</translation>
+        </message>
+        <message>
+            <source>The first rule that takes a contour has it; operations come in this order</source>
+            <translation>A primeira regra que pega um contorno fica com ele; as operações vêm nesta ordem</translation>
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
@@ -9317,6 +9457,10 @@
         <message>
             <source>The rotations in which it may lie</source>
             <translation>As rotações em que pode ficar</translation>
+        </message>
+        <message>
+            <source>The rule with the sheet cut</source>
+            <translation>A regra com o corte de chapa</translation>
         </message>
         <message>
             <source>The section of a beam, about the zero.</source>
@@ -9871,6 +10015,10 @@
             <translation>Jato de água</translation>
         </message>
         <message>
+            <source>What becomes of the contours</source>
+            <translation>O que se faz com os contornos</translation>
+        </message>
+        <message>
             <source>What becomes one object</source>
             <translation>O que vira um objeto</translation>
         </message>
@@ -10009,6 +10157,14 @@
         <message>
             <source>Whether inner corners are opened, so that a square corner fits in</source>
             <translation>Se os cantos internos são abertos para que um canto vivo caiba</translation>
+        </message>
+        <message>
+            <source>Whether it takes closed contours</source>
+            <translation>Se pega contornos fechados</translation>
+        </message>
+        <message>
+            <source>Whether it takes contours that the file fills</source>
+            <translation>Se pega contornos que o arquivo preenche</translation>
         </message>
         <message>
             <source>Whether it works in a bore</source>
@@ -10447,6 +10603,10 @@
             <translation>mandrilar</translation>
         </message>
         <message>
+            <source>both</source>
+            <translation>ambos</translation>
+        </message>
+        <message>
             <source>bounded engagement</source>
             <translation>engajamento limitado</translation>
         </message>
@@ -10787,6 +10947,10 @@
             <translation>jato (água, plasma, laser)</translation>
         </message>
         <message>
+            <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
+            <translation>camada '{0}' {1}: {2} fechados, {3} abertos, {4} mm</translation>
+        </message>
+        <message>
             <source>leads the program elsewhere</source>
             <translation>leva o programa a outro lugar</translation>
         </message>
@@ -10797,6 +10961,10 @@
         <message>
             <source>left</source>
             <translation>esquerda</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>omitidas</translation>
         </message>
         <message>
             <source>lengths are inches</source>
@@ -10837,6 +11005,10 @@
         <message>
             <source>make room in the folder for temporary files</source>
             <translation>libere espaço na pasta de arquivos temporários</translation>
+        </message>
+        <message>
+            <source>marks of a sheet cut</source>
+            <translation>marcas de um corte de chapa</translation>
         </message>
         <message>
             <source>middle</source>
@@ -10903,6 +11075,10 @@
             <translation>fio de níquel-cromo, 0,4 mm</translation>
         </message>
         <message>
+            <source>no</source>
+            <translation>não</translation>
+        </message>
+        <message>
             <source>no cutter compensation</source>
             <translation>sem compensação da ferramenta</translation>
         </message>
@@ -10913,6 +11089,10 @@
         <message>
             <source>no material there</source>
             <translation>não há material ali</translation>
+        </message>
+        <message>
+            <source>no rule</source>
+            <translation>nenhuma regra</translation>
         </message>
         <message>
             <source>no switch</source>
@@ -10929,6 +11109,10 @@
         <message>
             <source>none yet</source>
             <translation>nenhum ainda</translation>
+        </message>
+        <message>
+            <source>not cut</source>
+            <translation>sem corte</translation>
         </message>
         <message>
             <source>not given</source>
@@ -11319,6 +11503,10 @@
             <translation>a que acompanha o programa</translation>
         </message>
         <message>
+            <source>the only one</source>
+            <translation>a única</translation>
+        </message>
+        <message>
             <source>the point</source>
             <translation>a ponta</translation>
         </message>
@@ -11345,6 +11533,10 @@
         <message>
             <source>threading</source>
             <translation>roscar</translation>
+        </message>
+        <message>
+            <source>through the stock</source>
+            <translation>atravessa o material</translation>
         </message>
         <message>
             <source>time, number or turns, as the code has it</source>
@@ -11427,6 +11619,10 @@
             <translation>escreva os pontos assim: 0 1.2; 300 1.0</translation>
         </message>
         <message>
+            <source>yes</source>
+            <translation>sim</translation>
+        </message>
+        <message>
             <source>yours</source>
             <translation>seu</translation>
         </message>
@@ -11449,6 +11645,10 @@
         <message>
             <source>{0} (edited)</source>
             <translation>{0} (editado)</translation>
+        </message>
+        <message>
+            <source>{0} (example)</source>
+            <translation>{0} (exemplo)</translation>
         </message>
         <message>
             <source>{0} (single lines)</source>
@@ -11509,6 +11709,10 @@
         <message>
             <source>{0} is {1} now: save it.</source>
             <translation>{0} agora é {1}: salve.</translation>
+        </message>
+        <message>
+            <source>{0} job</source>
+            <translation>trabalho {0}</translation>
         </message>
         <message>
             <source>{0} lines change:</source>
@@ -11631,6 +11835,10 @@
             <translation>{0}: seu arquivo não está mais lá; o que foi lido fica</translation>
         </message>
         <message>
+            <source>{0}: its operations are replaced</source>
+            <translation>{0}: as operações dele são trocadas</translation>
+        </message>
+        <message>
             <source>{0}: {1}</source>
             <translation>{0}: {1}</translation>
         </message>
@@ -11684,6 +11892,10 @@
         <message>
             <source>'cncstepper drawing' prints its layers and colours</source>
             <translation>'cncstepper drawing' mostra as camadas e cores dele</translation>
+        </message>
+        <message>
+            <source>'{0}' is no number</source>
+            <translation>'{0}' não é um número</translation>
         </message>
         <message>
             <source>'{axes}' names no axes</source>
@@ -20166,6 +20378,10 @@
             <translation>a aresta da frente da pastilha não alcança o perfil</translation>
         </message>
         <message>
+            <source>the further values cannot be read: {error}</source>
+            <translation>não é possível ler os outros valores: {error}</translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation>a grade tem furos demais</translation>
         </message>
@@ -23314,6 +23530,10 @@
             <translation>escreva antes uma linha G0</translation>
         </message>
         <message>
+            <source>write a line for each: stepdown_mm = 2</source>
+            <translation>escreva uma linha para cada: stepdown_mm = 2</translation>
+        </message>
+        <message>
             <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
             <translation>escreva uma linha como: T3 P3 D6.0 Z+41.5 ;6 mm end mill</translation>
         </message>
@@ -25092,6 +25312,17 @@
         <message>
             <source>Slice a solid…</source>
             <translation>Fatiar um sólido…</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Template</name>
+        <message>
+            <source>Makes a job of an imported drawing by rules: layer, colour or name to operation</source>
+            <translation>Faz um trabalho de um desenho importado por regras: de camada, cor ou nome para operação</translation>
+        </message>
+        <message>
+            <source>Template…</source>
+            <translation>Modelo…</translation>
         </message>
     </context>
     <context>

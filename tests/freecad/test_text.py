@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,8 @@ import FreeCAD
 import Part
 import pytest
 
+from CNCStepper.drawing.text.font_files import find_face
+from CNCStepper.drawing.text.text_curves import TextStyle, text_curves
 from CNCStepper.errors import JobError
 from CNCStepper.job.shape_forms.text_form import TextForm
 from CNCStepper.workbench import api
@@ -53,6 +56,42 @@ def test_letters_stand_along_an_arc(document: Any) -> None:
     api.edit(text, along="line", line_begin_mm=(0, 0), line_end_mm=(0, 80))
     document.recompute()
     assert text.Shape.BoundBox.YLength > text.Shape.BoundBox.XLength
+
+
+def without_hints(path: Path, target: Path) -> Path:
+    """Write a font whose glyphs have no instructions: FreeCAD's letters follow these, which move their lines."""
+    from fontTools.ttLib import TTFont
+
+    font = TTFont(path)
+    for name in font["glyf"].keys():  # noqa: SIM118  (no mapping)
+        font["glyf"][name].removeHinting()
+    font.save(target)
+    return target
+
+
+def filled(wires: Any) -> Any:
+    """Return what the outlines of a letter fill: those within another are holes, those that cross it are part of it."""
+    faces = sorted(map(Part.Face, wires), key=lambda face: -face.Area)
+    whole = faces[0]
+    for face in faces[1:]:
+        common = whole.common(face).Area
+        whole = whole.cut(face) if common > 0.999 * face.Area else whole.fuse(face)
+    return whole.removeSplitter()
+
+
+def test_letters_are_those_of_freecad_s_shape_string(tmp_path: Path) -> None:
+    font = without_hints(find_face(FONT).path, tmp_path / "plain.ttf")
+    style = TextStyle(file=font, height_mm=100.0, size="em")
+    scales, wires = [], 0
+    for letter, theirs in zip("maçã", Part.makeWireString("maçã", f"{tmp_path}/", font.name, 100.0, 0), strict=True):
+        ours, shape = text_curves(style, letter, 0.001), filled(theirs)
+        assert len(ours) == len(shape.Wires), letter  # FreeCAD leaves the cedilla over its c as two outlines
+        scales.append(math.sqrt(shape.Area / sum(curve.area_mm2 for curve in ours)))
+        wires += len(theirs) - len(ours)
+        left, right = min(curve.box_mm[0] for curve in ours), max(curve.box_mm[2] for curve in ours)
+        scales.append(shape.BoundBox.XLength / (right - left))
+    assert wires == 1
+    assert scales == pytest.approx([scales[0]] * 8, rel=5e-4)  # FreeCAD's size is another measure of a letter
 
 
 @pytest.mark.parametrize(

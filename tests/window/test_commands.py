@@ -22,6 +22,7 @@ LABELS = {
     "CNCStepper_NewJob": "New job",
     "CNCStepper_ImportTools": "Import tools…",
     "CNCStepper_ImportDrawing": "Import drawing…",
+    "CNCStepper_Template": "Template…",
     "CNCStepper_Text": "Text",
     "CNCStepper_Shapes": "Shapes…",
     "CNCStepper_Slices": "Slice a solid…",
@@ -52,6 +53,7 @@ LABELS = {
     NEW_JOB,
     IMPORT,
     DRAWING,
+    TEMPLATE,
     TEXT,
     SHAPES,
     SLICES,
@@ -71,7 +73,7 @@ ALWAYS = (DRAWING, TEXT, SHAPES)  # what needs neither a document nor a job
 IN_DOCUMENT = (SLICES, NEST, FREEHAND)  # what needs a document alone
 DRAWN = ("CNCStepper_Pocket", "CNCStepper_Contour", "CNCStepper_Engrave")  # cannot be without a drawing
 OF_SHEETS = ("CNCStepper_SheetCut", "CNCStepper_WireCut")  # not of milling, which these jobs are cut by
-MILLED = [name for name in LABELS if name not in OF_SHEETS]
+MILLED = [name for name in LABELS if name not in (*OF_SHEETS, TEMPLATE)]
 BY_NUMBERS = [name for name in OPERATIONS if name not in (*DRAWN, *OF_SHEETS)]
 POCKET, ENGRAVE = "CNCStepper_EllipticalPocket", "CNCStepper_Engrave"
 
@@ -148,7 +150,7 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
 
 def test_without_a_document(hand: Hand) -> None:
     expect_enabled(hand, NEW_JOB, *ALWAYS, OPEN, CONTROLLER, MACHINES, LETTERS)
-    assert {reason(hand, name) for name in IN_DOCUMENT} == {"Open or make a document first"}
+    assert {reason(hand, name) for name in (*IN_DOCUMENT, TEMPLATE)} == {"Open or make a document first"}
     assert {reason(hand, name) for name in (IMPORT, *OPERATIONS, EDIT, SIMULATE, SEND)} == {
         "Make a job first, with New job"
     }
@@ -177,6 +179,7 @@ def test_the_tooltip_is_seen_on_the_disabled_button(hand: Hand) -> None:
 def test_an_empty_document_can_be_drawn_in(hand: Hand) -> None:
     hand.main(new_document)
     expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LETTERS)
+    assert reason(hand, TEMPLATE) == "Import a drawing first"
 
 
 def test_a_job_without_operations(hand: Hand) -> None:

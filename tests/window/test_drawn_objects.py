@@ -61,6 +61,19 @@ def choose_file(hand: Hand, path: Path, dialog: str = "CNCStepper_Import_drawing
     hand.key("Return")
 
 
+def gap_row() -> str:
+    """Return the text of the first row of the findings."""
+    return str(FreeCADGui.getMainWindow().findChild(QtGui.QListWidget, "CNCStepper_Panel_findings").item(0).text())
+
+
+def near_centre(x_mm: float, y_mm: float) -> bool:
+    """Return whether the middle of the 3D view lies within 2 mm of a place."""
+    view = FreeCADGui.activeDocument().activeView()
+    width, height = view.getSize()
+    seen = view.getPoint(width // 2, height // 2)
+    return math.hypot(seen.x - x_mm, seen.y - y_mm) < 2.0
+
+
 def wires(document: Any) -> dict[str, Any]:
     return {each.ChainName: each for each in of_type(document, "CNCStepper_Drawing").Group}
 
@@ -77,6 +90,9 @@ def test_a_drawing_is_imported_mended_and_reloaded(hand: Hand, document: Any, la
     assert not wires(document)["edge"].Closed
     hand.shot(f"import-drawing-{language}")
     assert hand.main(cut_texts) == []
+    hand.item("CNCStepper_Panel_findings", gap_row())
+    hand.wait(lambda: near_centre(5.0, 45.2), 10, "the view to go to the gap")
+    hand.shot(f"import-drawing-place-{language}")
     hand.click("CNCStepper_Panel_mend")
     hand.wait(lambda: wires(document)["edge"].Closed, 20, "the gap to be closed")
     hand.shot(f"import-drawing-mended-{language}")

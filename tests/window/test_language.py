@@ -26,6 +26,7 @@ COMMANDS = {
     "CNCStepper_Text": "Texto",
     "CNCStepper_Shapes": "Formas…",
     "CNCStepper_Slices": "Fatiar um sólido…",
+    "CNCStepper_Template": "Modelo…",
     "CNCStepper_Nest": "Aninhar em chapas…",
     "CNCStepper_Arrangement": "Dispor programas…",
     "CNCStepper_Freehand": "À mão livre",

@@ -26,7 +26,7 @@ from CNCStepper.drawing.svg.matrices import NUMBER, Matrix, fitted, length, tran
 from CNCStepper.drawing.svg.path_data import PathDamage, PlacedPen, draw_path, draw_points, draw_rectangle
 from CNCStepper.drawing.svg.sheet import is_illustrator, sheet_of
 from CNCStepper.drawing.svg.styles import Style, StyleSheet, font_size, styled
-from CNCStepper.drawing.svg.text_elements import TextSetter
+from CNCStepper.drawing.svg.text_elements import LetterOutlines, TextSetter
 from CNCStepper.drawing.svg.text_letters import Letters
 from CNCStepper.errors import CNCStepperError, GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve, joined
@@ -118,8 +118,9 @@ class _Walk:
     """Goes through the elements of a drawing and gathers their pieces."""
 
     def __init__(self, document: Document, tolerance_mm: float, viewport: tuple[float, float], share: Share):
-        self._root, self._tolerance_mm, self._viewport = document.root, tolerance_mm, viewport
+        self._root, self._viewport = document.root, viewport
         self._share, self._pieces = share, FittedPieces(tolerance_mm)
+        self._letters = LetterOutlines(tolerance_mm, self._pieces.budget)
         self._illustrator = is_illustrator(document)
         self._sheet = StyleSheet(document.root)
         self._by_id = _referred(document.root)
@@ -304,7 +305,7 @@ class _Walk:
         )
         letters.read(element, context.style)
         told: dict[tuple[str, str], None] = {}
-        setter = TextSetter(self._tolerance_mm, self._text_path, lambda key, name: told.update({(key, name): None}))
+        setter = TextSetter(self._letters, self._text_path, lambda key, name: told.update({(key, name): None}))
         curves = setter.outlines(letters, context.matrix)
         self._told.update({key for key, _ in told})
         for key, name in told:

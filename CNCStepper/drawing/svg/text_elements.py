@@ -12,6 +12,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.svg.matrices import Matrix, length
 from CNCStepper.drawing.svg.styles import BOLD, SLANTED, Style, font_size
 from CNCStepper.drawing.svg.text_letters import FixedLength, Letter, Letters
@@ -20,9 +21,12 @@ from CNCStepper.drawing.text.overlaps import without_overlaps
 from CNCStepper.drawing.text.text_curves import TextStyle, lacking, line_layout, named, oriented, scale_of
 from CNCStepper.errors import JobError
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.geometry.fitting.path_columns import SampleBudget
 
 ANCHORS = {"middle": -0.5, "end": -1.0}
 FALLBACK = "sans-serif"
+MOST_FAMILIES = 32  # of one list that are looked for
+MOST_FITTED = 4096  # letters of one size and turn that are kept fitted
 FLIP = Matrix.of(1.0, 0.0, 0.0, -1.0, 0.0, 0.0)  # letters have Y up, user units Y down
 Told = Callable[[str, str], None]
 PathCurve = Callable[[str], Curve | None]
@@ -40,6 +44,34 @@ class _Spot:
     stretch: float = 1.0
 
 
+class LetterOutlines:
+    """The outlines of the letters of a drawing in mm; those that differ by their place alone are fitted once."""
+
+    def __init__(self, tolerance_mm: float, budget: SampleBudget):
+        self._tolerance_mm, self._budget = tolerance_mm, budget
+        self._fitted: dict[tuple[Font, str, complex, complex], list[Curve]] = {}
+
+    def of(self, font: Font, character: str, matrix: Matrix) -> list[Curve]:
+        """Return the outlines of a character; `matrix` places the font's units.
+
+        Raises GeometryError where the curves of the drawing are too many for the tolerance.
+        """
+        key = font, character, matrix.turn, matrix.mirror
+        if key not in self._fitted:
+            checkpoint()
+            if len(self._fitted) >= MOST_FITTED:
+                self._fitted.clear()
+            self._fitted[key] = self._fit(font, character, Matrix(matrix.turn, matrix.mirror))
+        x, y = matrix.shift.real, matrix.shift.imag
+        return [curve.moved(x, y) for curve in self._fitted[key]]
+
+    def _fit(self, font: Font, character: str, matrix: Matrix) -> list[Curve]:
+        glyph = font.glyph(character)
+        assert glyph is not None  # TextSetter._spots has seen to it
+        curves = [path.transformed(matrix.array).curve(self._tolerance_mm, self._budget) for path in glyph.paths]
+        return without_overlaps(oriented(curves), self._tolerance_mm)
+
+
 @dataclass(frozen=True)
 class TextSetter:
     """Sets the texts of a drawing; `told(key, name)` is called with what is set otherwise than the file says.
@@ -47,7 +79,7 @@ class TextSetter:
     `path_curve` gives the path of a textPath in user units by its address.
     """
 
-    tolerance_mm: float
+    letters: LetterOutlines
     path_curve: PathCurve
     told: Told
 
@@ -107,7 +139,8 @@ class TextSetter:
             if own is None:
                 self.told("path-end", spot.letter.character)
             else:
-                found.extend(_outlines(spot, matrix @ own, self.tolerance_mm))
+                scale = Matrix(complex(scale_of(spot.font, spot.style)))
+                found.extend(self.letters.of(spot.font, spot.letter.character, matrix @ own @ scale))
         return at + end
 
 
@@ -151,21 +184,13 @@ def _letter_matrix(place: complex, spot: _Spot, along: Curve | None) -> Matrix |
     return Matrix(turn, 0j, at) @ turned @ FLIP
 
 
-def _outlines(spot: _Spot, matrix: Matrix, tolerance_mm: float) -> list[Curve]:
-    glyph, scale = spot.font.glyph(spot.letter.character), scale_of(spot.font, spot.style)
-    assert glyph is not None  # TextSetter._spots has seen to it
-    placed = (matrix @ Matrix(complex(scale))).array
-    curves = [path.transformed(placed).curve(tolerance_mm) for path in glyph.paths]
-    return without_overlaps(oriented(curves), tolerance_mm)
-
-
 def _font(style: Style, told: Callable[[str], None]) -> tuple[Font, TextStyle]:
     """Return the first font of the list that the system has, and how it is set, in user units."""
     size = font_size(style)
     slanted = style.get("font-style", "") in SLANTED
     bold = style.get("font-weight", "") in BOLD
     wanted = " ".join(word for word, is_so in (("Bold", bold), ("Italic", slanted)) if is_so)
-    names = [name.strip(" '\"") for name in style.get("font-family", FALLBACK).split(",")]
+    names = [name.strip(" '\"") for name in style.get("font-family", FALLBACK).split(",", MOST_FAMILIES)]
     spacing = length(style.get("letter-spacing", ""), size, 0.0, em=size)
     for number, name in enumerate([*names, FALLBACK]):
         for kind in dict.fromkeys((wanted, "")):

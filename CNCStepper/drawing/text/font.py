@@ -64,6 +64,7 @@ class OutlineFont:
         self.units = float(metrics.units)
         self.line_height = float(metrics.ascender - metrics.descender + metrics.line_gap) or 1.2 * self.units
         self._glyphs: dict[int, Glyph] = {}
+        self._numbers: dict[str, int] = {}
         capital = self.glyph("H")
         heights = [path.points.imag.max() for path in capital.paths] if capital else []
         self.cap_height = float(max(heights, default=0.0)) or float(metrics.cap_height) or CAP_SHARE * self.units
@@ -71,7 +72,7 @@ class OutlineFont:
     def glyph(self, character: str) -> Glyph | None:
         """Return the glyph of a character, None where the font has none."""
         with damage_of(self._path):
-            number = self._characters.glyph(character)
+            number = self._number(character)
             if not number:
                 return None
             if number not in self._glyphs:
@@ -81,7 +82,13 @@ class OutlineFont:
     def kerning(self, left: str, right: str) -> float:
         """Return by how many units the distance of two characters changes."""
         with damage_of(self._path):
-            return float(self._kerning.units(self._characters.glyph(left), self._characters.glyph(right)))
+            return float(self._kerning.units(self._number(left), self._number(right)))
+
+    def _number(self, character: str) -> int:
+        """Return the number of a character's glyph, 0 for none; what was found stays known."""
+        if character not in self._numbers:
+            self._numbers[character] = self._characters.glyph(character)
+        return self._numbers[character]
 
 
 @lru_cache(MOST_OPEN)

@@ -27,7 +27,7 @@ Content = dict[str, Any]
 
 def write_job_file(job: Job) -> str:
     """Return the job as the text of a job file, its curves within it."""
-    return content_text(_content(job), f"a job, {MADE_BY}")
+    return content_text(job_content(job), f"a job, {MADE_BY}")
 
 
 def save_job_file(job: Job, path: Path) -> None:
@@ -71,7 +71,7 @@ def _table(head: list[str], table: Mapping[str, Any]) -> Iterator[str]:
             yield f"{key_text(key)} = {value_text(value)}"
 
 
-def _content(job: Job) -> Content:
+def job_content(job: Job) -> Content:
     """Return the job as tables: what has its default is left out, curves are shapes with names."""
     apart = {"operation", "tool", "cut_data", "stock", "clamp"}
     content = job.model_dump(mode="json", exclude_defaults=True, exclude=apart)

@@ -87,8 +87,7 @@ def job_of_drawing(
     found = assigned(template.rule, drawing.chains)
     if strict and found.untaken:
         raise _untaken(found, drawing_path)
-    maker = _Maker(template, drawing_path, job_path.parent, found)
-    content = maker.content(material)
+    content = _Maker(template, drawing_path, job_path.parent, found).content(material)
     title = f"{drawing_path.name} by the template {template.path.name}, {MADE_BY}"
     with placed(Place(str(template.path))):
         job = job_of_content(copy.deepcopy(content), job_path)
@@ -97,6 +96,18 @@ def job_of_drawing(
         for number, (rule, chains) in enumerate(zip(template.rule, found.taken, strict=True), start=1)
     )
     return DrawingJob(content, title, job, found.untaken_counts, counts)
+
+
+def content_in_place(template: Template, drawing_path: Path, found: Assignment) -> tuple[Content, tuple[float, float]]:
+    """Return the content of a job whose curves lie as the drawing has them, and by how much a job file moves them, mm.
+
+    Files are named by their whole paths. Raises JobError as `job_of_drawing`.
+    """
+    maker = _Maker(template, drawing_path, None, found)
+    content = maker.content("")
+    for shape in content["shape"]:
+        shape["drawing"].pop("offset_mm", None)
+    return content, maker.offset_mm
 
 
 def with_stock(template: Template, thickness_mm: float | None, unit_mm: float | None = None) -> Template:
@@ -142,13 +153,13 @@ def _untaken(found: Assignment, path: Path) -> JobError:
 
 
 class _Maker:
-    """Makes the content of the job file in a folder."""
+    """Makes the content of the job file in a folder; without one, files are named by their whole paths."""
 
-    def __init__(self, template: Template, drawing: Path, folder: Path, found: Assignment):
+    def __init__(self, template: Template, drawing: Path, folder: Path | None, found: Assignment):
         self._template, self._drawing, self._folder = template, drawing, folder
         self._found = found
         self._shapes: list[Content] = []
-        self._offset_mm = (0.0, 0.0)
+        self.offset_mm = (0.0, 0.0)
 
     def content(self, material: str) -> Content:
         """Return the content; raises JobError where no rule takes a chain, or the drawing does not fit."""
@@ -182,7 +193,9 @@ class _Maker:
         return self._from_folder(self._template.path.parent / value)
 
     def _from_folder(self, path: Path) -> str:
-        """Return a path as it is found from the job's folder; on another disk the whole path."""
+        """Return a path as it is found from the job's folder; without one and on another disk the whole path."""
+        if self._folder is None:
+            return path.resolve().as_posix()
         try:
             return Path(os.path.relpath(path.resolve(), self._folder.resolve())).as_posix()
         except ValueError:
@@ -192,9 +205,9 @@ class _Maker:
         """Return the stock, and note where the drawing lies on it."""
         rule, box = self._template.stock, drawing_box_mm(cut)
         size_mm = rule.size_mm or _size_round(box, rule)
-        self._offset_mm = _offset(box, rule, size_mm)
+        self.offset_mm = _offset(box, rule, size_mm)
         left, front = (0.0, 0.0) if rule.origin == "top-left-front" else (-size_mm[0] / 2.0, -size_mm[1] / 2.0)
-        (dx, dy), (right, back) = self._offset_mm, (left + size_mm[0], front + size_mm[1])
+        (dx, dy), (right, back) = self.offset_mm, (left + size_mm[0], front + size_mm[1])
         beyond = max(left - box[0] - dx, front - box[1] - dy, box[2] + dx - right, box[3] + dy - back)
         if beyond > 1.0 / MICRON:
             raise JobError(
@@ -267,7 +280,7 @@ class _Maker:
             self._from_folder(self._drawing),
             **rules[number].selection.model_dump(),
             without=exceptions_of(rules, number),
-            offset_mm=self._offset_mm,
+            offset_mm=self.offset_mm,
             **keys,
         )
         told = _plain(form.model_dump(mode="json", exclude_defaults=True))

@@ -151,10 +151,15 @@ NOT_IN_TEMPLATES = ("shape", "operation", "notes", "cut_data", "job", "path")
 def read_template(path: Path) -> Template:
     """Return the template in a TOML file; raises JobError that names the file, the key and its value."""
     with placed(Place(str(path))):
-        content = read_toml(path)
-        for key in NOT_IN_TEMPLATES:
-            if key in content:
-                what, advice = Text("a template has no key '{key}'", key=key), "write rules: [[rule]]"
-                raise JobError("bad-value", what, advice=advice)
-        own = {key: content.pop(key) for key in OWN_KEYS if key in content}
-        return validated(Template, own | {"job": content, "path": path}, str(path))
+        return template_of(read_toml(path), path)
+
+
+def template_of(content: dict[str, Any], path: Path) -> Template:
+    """Return the template of a file's content; raises JobError that names the key and its value."""
+    for key in NOT_IN_TEMPLATES:
+        if key in content:
+            what, advice = Text("a template has no key '{key}'", key=key), "write rules: [[rule]]"
+            raise JobError("bad-value", what, advice=advice)
+    own = {key: content[key] for key in OWN_KEYS if key in content}
+    job = {key: value for key, value in content.items() if key not in OWN_KEYS}
+    return validated(Template, own | {"job": job, "path": path}, str(path))

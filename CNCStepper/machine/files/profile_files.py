@@ -24,11 +24,16 @@ NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,59}")
 
 def own_folder() -> Path:
     """Return the folder of the user's profiles, which need not be there; raises MissingPackage without platformdirs."""
+    return config_folder() / "machines"
+
+
+def config_folder() -> Path:
+    """Return the folder of the user's files, which need not be there; raises MissingPackage without platformdirs."""
     try:
         from platformdirs import user_config_path
     except ImportError as error:
         raise missing_package("platformdirs") from error
-    return user_config_path("cncstepper", appauthor=False) / "machines"
+    return user_config_path("cncstepper", appauthor=False)
 
 
 def own_path(name: str) -> Path | None:

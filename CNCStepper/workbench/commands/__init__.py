@@ -20,7 +20,7 @@ def register() -> tuple[list[str], list[str]]:
 
     from CNCStepper.workbench.commands import operations
     from CNCStepper.workbench.commands.create_object import Freehand
-    from CNCStepper.workbench.commands.drawings import ImportDrawing, Nest, Shapes, Slice, Text
+    from CNCStepper.workbench.commands.drawings import ImportDrawing, Nest, Shapes, Slice, Template, Text
     from CNCStepper.workbench.commands.first_steps import FirstSteps
     from CNCStepper.workbench.commands.job import ImportTools, NewJob
     from CNCStepper.workbench.commands.job_files import ExportJob, OpenJob
@@ -29,7 +29,7 @@ def register() -> tuple[list[str], list[str]]:
     from CNCStepper.workbench.commands.program import Arrange, Controller, EditProgram, OpenProgram, Send, Simulate
     from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING
 
-    drawing = (NewJob(), ImportTools(), ImportDrawing(), Text(), Shapes(), Slice(), Nest(), Freehand())
+    drawing = (NewJob(), ImportTools(), ImportDrawing(), Template(), Text(), Shapes(), Slice(), Nest(), Freehand())
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
     sheets = _made(operations.SHEETS)
     machine = (EditProgram(), OpenProgram(), Arrange(), Simulate(), Send(), Controller(), Machines(), Letters())

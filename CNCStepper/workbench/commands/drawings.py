@@ -28,18 +28,53 @@ class ImportDrawing(Command):
 
     def run(self) -> None:
         """Ask for the file, and open the panel of what is read from it."""
+        from CNCStepper.workbench.calculation.preloading import DRAWINGS, begin_to_load
         from CNCStepper.workbench.document.drawing_files import ask_file
 
+        begin_to_load(DRAWINGS)
         document = targets.document()
         folder = Path(document.FileName).parent if document is not None and document.FileName else Path.home()
         ask_file(str(folder), self.take)
 
     def take(self, path: str) -> None:
         """Make the group of a file and open its panel, which reads it."""
+        from CNCStepper.workbench.calculation.preloading import DRAWINGS, when_loaded
+
+        when_loaded(DRAWINGS, lambda: self._create(path))
+
+    def _create(self, path: str) -> None:
         import FreeCAD
 
-        document = targets.document() or FreeCAD.newDocument()
-        create(document, self.text(), lambda: _group(document, path))
+        if not targets.why_no_panel():
+            document = targets.document() or FreeCAD.newDocument()
+            create(document, self.text(), lambda: _group(document, path))
+
+
+class Template(Command):
+    """Makes a job of an imported drawing by the rules of a template."""
+
+    name = "CNCStepper_Template"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Template", "Template…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Template", "Makes a job of an imported drawing by rules: layer, colour or name to operation"
+    )
+
+    def why_not(self) -> str:
+        """Return why there is no drawing to make a job of."""
+        no_panel = missing_packages.why_not() or targets.why_no_view() or targets.why_no_panel()
+        return no_panel or ("" if targets.imported_drawing() is not None else tr("Import a drawing first"))
+
+    def run(self) -> None:
+        """Open the panel of the selected drawing, or of the document's last one."""
+        from CNCStepper.workbench.calculation.preloading import TEMPLATES, when_loaded
+
+        when_loaded(TEMPLATES, self._open)
+
+    def _open(self) -> None:
+        from CNCStepper.workbench.templates.panel import open_template_panel
+
+        if not self.why_not():
+            open_template_panel(targets.imported_drawing())
 
 
 def _group(document: Any, path: str) -> Any:

@@ -34,6 +34,7 @@ __all__ = [
     "proven_with",
     "read_back",
     "setup_of",
+    "without_operations",
 ]
 
 
@@ -83,6 +84,11 @@ def job_of(obj: Any) -> Job:
     operations = active_operations(obj)
     tools = {operation.Tool.Name: operation.Tool for operation in operations}
     return _model(obj, operations, list(tools.values()))
+
+
+def without_operations(obj: Any) -> Job:
+    """Return a job object as the core's checked model with all of its tools, and none of its operations."""
+    return _model(obj, [], obj.Tools)
 
 
 def proven_with(program: Any) -> Job:

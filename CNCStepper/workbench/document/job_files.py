@@ -2,7 +2,7 @@
 """Job files in and out: a job object as the text of a job file, and the objects of a job that a file holds.
 
 job object ──► job_of ──► save_job_file          its curves are within the file
-file ──► Job ──► opened: job, tools, operations, a Part object with the curves of each
+file ──► Job ──► opened: job, tools, operations, a Part object with the curves of each, where no other holds them
             └──► differences: what of the file the objects do not hold
 """
 
@@ -12,10 +12,13 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from CNCStepper.errors import CNCStepperError, JobError, Place, Text
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document.turning_files import export_turning_job, open_turning_job
+from CNCStepper.workbench.drawings.exact_curves import ROUNDING_MM
 from CNCStepper.workbench.features.base import LATHE_JOB, edit, proxy_type
 from CNCStepper.workbench.features.catalogue import operation_class
 from CNCStepper.workbench.services.message_translation import translated
@@ -30,6 +33,7 @@ if TYPE_CHECKING:
 JOB_KEYS = ("units", "work_offset", "process", "clearance_mm", "retract_mm", "coolant", "material", "consumable")
 CURVES = ("outlines", "islands", "curves")  # of an operation, that its drawings give
 MARKS, CIRCLES = "marks", "circles"
+ObjectsWith = Callable[[Sequence[Any]], list[Any]]
 OWN, NONE, COUNT, SPACING = "own", "none", "count", "spacing"
 
 
@@ -80,10 +84,15 @@ def open_as_one_step(document: Any, path: str, text: str) -> None:
 
 def exported(obj: Any) -> Job:
     """Return a job object as the model that its file holds; a machine's file is named by its whole path."""
-    from CNCStepper.machine.profile import profile_names
     from CNCStepper.workbench.document.core_job import job_of
 
-    job = job_of(obj)
+    return with_whole_path(obj, job_of(obj))
+
+
+def with_whole_path(obj: Any, job: Job) -> Job:
+    """Return the model of a job object with its machine's file by its whole path."""
+    from CNCStepper.machine.profile import profile_names
+
     named = job.machine in profile_names() or Path(job.machine).is_absolute() or not obj.Document.FileName
     machine = job.machine if named else str(Path(obj.Document.FileName).parent / job.machine)
     return job.model_copy(update={"machine": machine})
@@ -91,21 +100,48 @@ def exported(obj: Any) -> Job:
 
 def opened(document: Any, job: Job, label: str) -> Any:
     """Return a new job object with the tools and operations of a job; raises JobError for what FreeCAD has none of."""
+    obj = begun(document, job, label)
+    fill(obj, job)
+    return obj
+
+
+def begun(document: Any, job: Job, label: str) -> Any:
+    """Return a new job object with the values of a job, without its tools and operations; raises as `opened`."""
     from CNCStepper.workbench import api
 
+    obj = api.new_job(document, **_job_values(job, label))
+    obj.Label = label
+    return obj
+
+
+def replaced(obj: Any, job: Job) -> None:
+    """Give a job object the values of a job, without the tools and operations that it had; raises JobError."""
+    edit(obj, **_job_values(job, obj.Label))
+    gone = [*obj.Operations, *obj.Tools]
+    obj.Operations, obj.Tools, obj.Clamps = [], [], []
+    for each in gone:
+        obj.Document.removeObject(each.Name)
+
+
+def _job_values(job: Job, label: str) -> dict[str, Any]:
+    """Return the values of a job object by their keys; raises JobError for a stock that FreeCAD has none of."""
     if job.stock.heights_mm is not None:
         what, advice = "FreeCAD has no stock of a height field", "run this job with cncstepper run"
         raise JobError("job-stock", what, advice=advice, place=Place(label))
     keys = {key: getattr(job, key) for key in JOB_KEYS}
     stock = {"stock_size_mm": job.stock.size_mm, "stock_form": job.stock.form, "stock_origin": job.stock.origin}
-    edge = {"edge_mm": job.stock.edge_mm} if job.stock.edge_mm else {}
-    obj = api.new_job(document, machine=job.machine, chart=job.chart, **keys, **stock, **edge)
-    obj.Label = label
+    return {"machine": job.machine, "chart": job.chart, **keys, **stock, "edge_mm": job.stock.edge_mm or 0.0}
+
+
+def fill(obj: Any, job: Job, objects_with: ObjectsWith = lambda curves: []) -> None:
+    """Give a job object the tools, operations and clamps of a job, whose curves lie where the document has them.
+
+    objects_with: returns the objects of the document that hold just some curves, none where there are no such ones.
+    """
     tools = {tool.number: _tool(obj, tool) for tool in job.tool}
     for cycle in job.operation:
-        _operation(obj, cycle, tools[cycle.tool])
-    obj.Clamps = [_clamp(document, clamp) for clamp in job.clamp]
-    return obj
+        _operation(obj, cycle, tools[cycle.tool], objects_with)
+    obj.Clamps = [_clamp(obj.Document, clamp) for clamp in job.clamp]
 
 
 def _tool(obj: Any, tool: Any) -> Any:
@@ -119,7 +155,7 @@ def _tool(obj: Any, tool: Any) -> Any:
     return made
 
 
-def _operation(obj: Any, cycle: Any, tool: Any) -> None:
+def _operation(obj: Any, cycle: Any, tool: Any, objects_with: ObjectsWith) -> None:
     """Add an operation with the keys and the curves of a cycle."""
     from CNCStepper.workbench import api
 
@@ -127,11 +163,36 @@ def _operation(obj: Any, cycle: Any, tool: Any) -> None:
     values = dict(_flat(cycle, kind))
     if _has_places(cycle):
         values |= _pattern_values(cycle.pattern)
-    if drawn := _drawn(cycle):
+    drawn, marks = _drawn(cycle), [mark.moved(*cycle.offset_mm) for mark in getattr(cycle, MARKS, ())]
+    found, marked = objects_with(drawn), objects_with(marks)
+    if found or marked:
+        linked = {"drawings": found} | ({"mark_drawings": marked} if marked else {})
+        operation = api.add_operation(obj, cycle.cycle, tool=tool, **values, **linked)
+        if _cuts_where(operation, cycle, tuple(obj.WorkOrigin)):
+            return
+        obj.Operations = [each for each in obj.Operations if each != operation]
+        obj.Document.removeObject(operation.Name)
+    if drawn:
         values["drawings"] = [_curves_object(obj.Document, kind.CYCLE, drawn)]
-    if marks := [mark.moved(*cycle.offset_mm) for mark in getattr(cycle, MARKS, ())]:
+    if marks:
         values["mark_drawings"] = [_curves_object(obj.Document, MARKS, marks)]
     api.add_operation(obj, cycle.cycle, tool=tool, **values)
+
+
+def _cuts_where(operation: Any, cycle: Any, origin_mm: tuple[float, ...]) -> bool:
+    """Return whether an operation cuts just the curves of a cycle, which lie where the document has them."""
+    try:
+        made = operation.Proxy.cycle(operation, origin_mm)
+    except CNCStepperError:
+        return False
+    x_mm, y_mm = origin_mm[:2]
+    if _has_places(cycle):
+        wanted = np.array([each[:2] for each in cycle.pattern.holes()]) + cycle.offset_mm - (x_mm, y_mm)
+        found = np.array([each[:2] for each in made.pattern.holes()])
+        return wanted.shape == found.shape and bool(np.allclose(found, wanted, rtol=0.0, atol=ROUNDING_MM))
+    (dx_mm, dy_mm), keys = getattr(cycle, "offset_mm", (0.0, 0.0)), (*CURVES, MARKS)
+    wanted = {key: [each.moved(dx_mm, dy_mm).moved(-x_mm, -y_mm) for each in getattr(cycle, key, ())] for key in keys}
+    return all(list(getattr(made, key, ())) == wanted[key] for key in keys)
 
 
 def _has_places(cycle: Any) -> bool:

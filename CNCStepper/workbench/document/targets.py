@@ -15,6 +15,7 @@ from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import tr
 
 PREVIEW = "CNCStepper_Preview"
+DRAWING = "CNCStepper_Drawing"
 PROGRAM = "CNCStepper_Program"
 
 
@@ -44,6 +45,17 @@ def job() -> Any:
     meant = {owner.Name: owner for obj in selected() for owner in _owners(obj)}
     found = list(meant.values()) or jobs()
     return found[0] if len(found) == 1 else None
+
+
+def imported_drawing() -> Any:
+    """Return the imported drawing that is meant: the selected one, that of a selected contour, or the last."""
+    if document() is None:
+        return None
+    groups = document().findObjects("App::DocumentObjectGroupPython")
+    drawings = [obj for obj in groups if proxy_type(obj) == DRAWING and obj.ReadWith]
+    chosen = {owner.Name for obj in selected() for owner in (obj, *obj.InList)}
+    meant = [drawing for drawing in drawings if drawing.Name in chosen]
+    return next(iter(meant or reversed(drawings)), None)
 
 
 def program() -> Any:

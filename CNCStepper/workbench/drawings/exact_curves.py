@@ -19,11 +19,20 @@ ROUNDING_MM = 1e-9  # what FreeCAD's arcs lose is less
 
 
 def keep_curves(obj: Any, curves: Sequence[Curve]) -> None:
-    """Keep the curves of a new object, whose shape is theirs."""
+    """Keep the curves of an object, whose shape is theirs."""
     from CNCStepper.job.drawings.imported_drawing import packed_curves
 
-    obj.addProperty("App::PropertyString", NAME, "Base", "", 1 | 4)  # cannot be typed, is not shown
+    if NAME not in obj.PropertiesList:
+        obj.addProperty("App::PropertyString", NAME, "Base", "", 1 | 4)  # cannot be typed, is not shown
     setattr(obj, NAME, json.dumps(packed_curves(curves)))
+
+
+def all_kept(obj: Any) -> Sequence[Curve]:
+    """Return the curves that an object keeps, whatever its shape is now; none where it keeps none."""
+    from CNCStepper.job.drawings.imported_drawing import unpacked_curves
+
+    content = getattr(obj, NAME, "")
+    return unpacked_curves(json.loads(content)) if content else ()
 
 
 def kept_curves(obj: Any, drawn: Sequence[Curve]) -> Sequence[Curve]:
@@ -31,13 +40,8 @@ def kept_curves(obj: Any, drawn: Sequence[Curve]) -> Sequence[Curve]:
 
     drawn: one curve for each chain of the shape, in the order of the shape.
     """
-    content = getattr(obj, NAME, "")
-    if not content:
-        return drawn
-    from CNCStepper.job.drawings.imported_drawing import unpacked_curves
-
-    exact = unpacked_curves(json.loads(content))
-    return exact if len(exact) == len(drawn) and all(map(_is_same, exact, drawn)) else drawn
+    exact = all_kept(obj)
+    return exact if exact and len(exact) == len(drawn) and all(map(_is_same, exact, drawn)) else drawn
 
 
 def _is_same(one: Curve, other: Curve) -> bool:

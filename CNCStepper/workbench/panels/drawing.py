@@ -22,8 +22,11 @@ from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr
+from CNCStepper.workbench.services.view_fit import show_place
 
 ROWS_SEEN = 6
+PLACE = QtCore.Qt.ItemDataRole.UserRole  # of a row: X and Y in mm, None for one without
+Row = tuple[str, list[float] | None]
 FOUND_WORDS = {
     "open": later("Open contour"),
     "gap": later("Gap"),
@@ -78,6 +81,8 @@ class Report(QtGui.QWidget):
         self.rows.setAccessibleName(tr("What was found in it"))
         self.rows.setWordWrap(True)
         self.rows.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.rows.setToolTip(tr("A click on a row with a place moves the view there"))
+        self.rows.itemClicked.connect(guarded(self._show_place))
         self.work = WorkNote(f"{NAME}_reading", self)
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -92,10 +97,17 @@ class Report(QtGui.QWidget):
         self.summary.setText(_summary(told) if told else "")
         self.summary.setVisible(bool(told))
         self.rows.clear()
-        self.rows.addItems(lines)
+        for text, place in lines:
+            self.rows.addItem(text)
+            self.rows.item(self.rows.count() - 1).setData(PLACE, place)
         seen = min(len(lines), ROWS_SEEN)
         self.rows.setFixedHeight((2 * seen + 1) * self.fontMetrics().lineSpacing())
         self.rows.setVisible(bool(lines))
+
+    def _show_place(self, item: Any) -> None:
+        """Move the view to the place of a fault."""
+        if (place := item.data(PLACE)) is not None:
+            show_place(*place)
 
 
 def _summary(told: dict[str, Any]) -> str:
@@ -105,15 +117,15 @@ def _summary(told: dict[str, Any]) -> str:
     )
 
 
-def _lines(told: dict[str, Any]) -> list[str]:
+def _lines(told: dict[str, Any]) -> list[Row]:
     """Return the rows of the list: warnings, faults, changes, what was left out; each kind with the rest's count."""
-    rows = [translated(each) for each in told["warnings"]]
+    rows: list[Row] = [(translated(each), None) for each in told["warnings"]]
     for (count, found), words in ((told["problems"], FOUND_WORDS), (told["changes"], MENDED_WORDS)):
-        rows += [_placed(words[kind], kind, layer, place, size) for kind, layer, place, size in found]
+        rows += [(_placed(words[kind], kind, layer, place, size), place) for kind, layer, place, size in found]
         rows += _rest(count - len(found))
     count, entries = told["skipped"]
     for kind, layer, why in entries:
-        rows.append(tr("{0} on layer '{1}' was left out: {2}").format(kind, layer, translated(why)))
+        rows.append((tr("{0} on layer '{1}' was left out: {2}").format(kind, layer, translated(why)), None))
     return rows + _rest(count - len(entries))
 
 
@@ -124,8 +136,8 @@ def _placed(words: str, kind: str, layer: str, place_mm: list[float], size: floa
     return f"{said}, {size:.4g} mm" if size and kind != "fitted" else said
 
 
-def _rest(count: int) -> list[str]:
-    return [tr("… and {0} more").format(count)] if count > 0 else []
+def _rest(count: int) -> list[Row]:
+    return [(tr("… and {0} more").format(count), None)] if count > 0 else []
 
 
 class DrawingPanel(BackgroundPanel):

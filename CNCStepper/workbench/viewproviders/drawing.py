@@ -26,4 +26,16 @@ class Drawing(ViewProvider):
     def entries(self) -> list[Entry]:
         """Return the entries of every object, and one that reads the file again."""
         reload = partial(drawing_files.reload, self.obj)
-        return [*super().entries(), Entry(tr("Reload"), "CNCStepper_ImportDrawing", reload, targets.why_no_panel())]
+        why_not = targets.why_no_panel()
+        return [
+            *super().entries(),
+            Entry(tr("Reload"), "CNCStepper_ImportDrawing", reload, why_not),
+            Entry(tr("Template…"), "CNCStepper_Template", self._template, why_not or targets.why_no_view()),
+        ]
+
+    def _template(self) -> None:
+        import FreeCADGui
+
+        FreeCADGui.Selection.clearSelection()
+        FreeCADGui.Selection.addSelection(self.obj)
+        FreeCADGui.runCommand("CNCStepper_Template")

@@ -19,6 +19,7 @@ import numpy as np
 
 from CNCStepper.drawing.drawing import Attributes, Chain
 from CNCStepper.errors import JobError
+from CNCStepper.workbench.drawings.exact_curves import keep_curves
 from CNCStepper.workbench.drawings.wires import wire_of
 from CNCStepper.workbench.services.translation import later, tr
 
@@ -143,6 +144,7 @@ def set_part(obj: Any, part: ImportedPart, shape: Any) -> None:
     obj.Closed = all(chain.curve.closed for chain in part.chains)
     obj.Filled = told.filled
     setattr(obj, FINGERPRINT, part.fingerprint)
+    keep_curves(obj, [chain.curve for chain in part.chains])
     view = getattr(obj, "ViewObject", None)
     if view is not None and told.colour:
         view.LineColor = view.PointColor = tuple(int(told.colour[at : at + 2], 16) / 255.0 for at in (1, 3, 5))

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A template of the shop by real clicks, in both languages: rules changed, saved, and made into a job."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from PySide import QtGui
+
+from CNCStepper.job.cut_transfer import program_texts
+from CNCStepper.job.templates.drawing_job import job_of_drawing
+from CNCStepper.job.templates.template import read_template
+from CNCStepper.machine.profile import load_machine
+from CNCStepper.workbench import api
+from CNCStepper.workbench.features.base import problem_of, proxy_type
+from window_helpers.hand import Hand
+
+ROOT = Path(__file__).parents[2]
+SIGN = ROOT / "examples" / "drawings" / "sign.svg"
+LANGUAGES = {"en": "English", "pt": "pt-BR"}
+WORDS = {
+    "en": ("sign (example)", "Pocket", "no rule", "flat end mill"),
+    "pt": ("sign (exemplo)", "Bolsão", "nenhuma regra", "fresa de topo reto"),
+}
+RULES, PANEL = "CNCStepper_Panel_rules", "CNCStepper_Panel_rule_"
+VALUES = "stepdown_mm = 1.5\nstepover_mm = 1.2"
+
+
+@pytest.fixture(params=LANGUAGES)
+def language(hand: Hand, request: pytest.FixtureRequest) -> Iterator[str]:
+    hand.main(FreeCADGui.setLocale, LANGUAGES[request.param])
+    hand.settle()
+    yield request.param
+    hand.main(FreeCADGui.setLocale, "English")
+    hand.settle()
+
+
+def imported(path: Path) -> Any:
+    document = FreeCAD.newDocument("Shop")
+    document.UndoMode = 1
+    api.import_drawing(document, path)
+    document.recompute()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    return document
+
+
+def rows() -> list[list[str]]:
+    """Return the texts of the list of rules."""
+    tree = FreeCADGui.getMainWindow().findChild(QtGui.QTreeWidget, RULES)
+    items = [tree.topLevelItem(number) for number in range(tree.topLevelItemCount())]
+    return [[item.text(column) for column in range(4)] for item in items]
+
+
+def put_values(text: str) -> None:
+    """Put lines into the box: a test's keyboard types no line breaks there."""
+    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QPlainTextEdit)
+    next(box for box in boxes if box.objectName() == f"{PANEL}values").setPlainText(text)
+
+
+def cut_by_px() -> int:
+    """Return by how much the panel is wider than what FreeCAD shows of it."""
+    form = FreeCADGui.getMainWindow().findChild(QtGui.QWidget, "CNCStepper_Panel_Template")
+    return int(form.width() - form.visibleRegion().boundingRect().width())
+
+
+def job_of(document: Any) -> Any:
+    return next((obj for obj in document.Objects if proxy_type(obj) == "CNCStepper_Job"), None)
+
+
+def program_of_command_line(drawing: Path, template: Path, title: str) -> str:
+    job = job_of_drawing(read_template(template), drawing, drawing.with_suffix(".toml")).job
+    machine = load_machine(job.machine)
+    ((_, text),) = program_texts(job.on(machine), machine, title)
+    return text
+
+
+def test_rules_are_changed_saved_and_make_the_job(hand: Hand, language: str, tmp_path: Path) -> None:
+    example, pocket, no_rule, flat = WORDS[language]
+    path = Path(shutil.copy(SIGN, tmp_path / "placa.svg"))
+    document = hand.main(imported, path)
+    hand.command("CNCStepper_Template")
+    hand.wait(lambda: hand.exists(RULES), 10)
+    hand.choose("CNCStepper_Panel_template", example)
+    hand.wait(lambda: rows()[-1][:2] == [no_rule, "0"], 40, "the contours of each rule")
+    hand.shot(f"template-{language}")
+    before = hand.main(rows)
+    hand.item(RULES, "pocket")
+    hand.click("CNCStepper_Panel_rule_delete")
+    hand.wait(lambda: rows()[-1][1] == "0" and len(rows()) == len(before) - 1, 20, "its contours to be taken by lines")
+    hand.item(RULES, "lines")
+    hand.click("CNCStepper_Panel_rule_delete")
+    hand.wait(lambda: rows()[-1][1] not in ("0", "…") and len(rows()) == 3, 20, "the contours that no rule takes")
+    hand.item(RULES, no_rule)
+    hand.shot(f"template-untaken-{language}")
+    hand.item(RULES, "letters")
+    hand.click("CNCStepper_Panel_rule_add")
+    hand.fill(f"{PANEL}title", "bolsa")
+    hand.fill(f"{PANEL}colour", "#000000")
+    hand.choose(f"{PANEL}does", pocket)
+    hand.wait(lambda: hand.exists(f"{PANEL}tool"), 10)
+    hand.choose(f"{PANEL}tool", f"T1  3 mm  {flat}")
+    hand.fill(f"{PANEL}depth", "5")
+    hand.main(put_values, VALUES)
+    hand.click("CNCStepper_Panel_rule_up")
+    hand.wait(lambda: rows()[0][0] == "bolsa" and rows()[-1][1] == "0", 20, "all contours to be taken")
+    hand.shot(f"template-changed-{language}")
+    assert hand.main(cut_by_px) == 0
+    hand.fill("CNCStepper_Panel_template_thickness", "10")
+    hand.click("CNCStepper_Panel_template_save")
+    hand.find("CNCStepper_Template_file")
+    saved = tmp_path / "oficina ç.toml"
+    hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(saved)))
+    hand.click("fileNameEdit")
+    hand.key("Return")
+    hand.wait(saved.exists, 10, "the template's file")
+    with hand.watchdog() as watch:
+        hand.button("OK")
+        hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 40, "the job to be made")
+    print(f"template: at most {watch.max_ms:.0f} ms")
+    job = job_of(document)
+    hand.wait(lambda: not problem_of(job) and "Touched" not in job.State, 60, "the program")
+    assert hand.main(api.program_text, job) == program_of_command_line(path, saved, job.Label)
+    hand.shot(f"template-job-{language}")
+    hand.undo()
+    hand.wait(lambda: job_of(document) is None, 10, "the job to be undone")
+
+
+def test_what_is_wrong_is_told_and_nothing_is_made(hand: Hand, tmp_path: Path) -> None:
+    document = hand.main(imported, Path(shutil.copy(SIGN, tmp_path / "placa.svg")))
+    names = hand.main(lambda: [each.Name for each in document.Objects])
+    hand.tree("placa")
+    hand.command("CNCStepper_Template")
+    hand.choose("CNCStepper_Panel_template", WORDS["en"][0])
+    hand.wait(lambda: rows()[-1][1] == "0", 40, "the contours of each rule")
+    hand.item(RULES, "pocket")
+    hand.fill(f"{PANEL}depth", "deep")
+    hand.wait(lambda: "no number" in hand.text("CNCStepper_Panel_template_problem"), 10, "the refusal")
+    hand.button("OK")
+    hand.settle()
+    assert hand.exists(RULES)
+    hand.fill(f"{PANEL}depth", "5")
+    hand.main(put_values, "stepdown_mm = 1.5")
+    hand.wait(lambda: not hand.exists("CNCStepper_Panel_template_problem"), 10)
+    hand.button("OK")
+    hand.wait(lambda: "stepover" in hand.text("CNCStepper_Panel_template_problem"), 20, "the missing value")
+    hand.shot("template-refused")
+    hand.button("Cancel")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 10)
+    assert hand.main(lambda: [each.Name for each in document.Objects]) == names
