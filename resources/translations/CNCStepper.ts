@@ -14894,6 +14894,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>constant_surface_speed takes surface_speed_m_min and max_rpm: take spindle_rpm out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>convert the text to paths in the drawing program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18938,6 +18942,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>spindle_rpm = {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>spindle_rpm = {0}, for example</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19171,6 +19179,10 @@
         </message>
         <message>
             <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take constant_surface_speed out, and give a fixed speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21754,6 +21766,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the spindle of this machine does not follow X: it has no G96</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle runs while the tool is changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24051,6 +24067,10 @@
         </message>
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{cycle} needs a fixed speed of the spindle: take constant_surface_speed out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,7 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
-from test_simulation_view import no_restart, scenes
+from test_simulation_view import AT_ONCE_MS, no_restart, scenes
 
 from CNCStepper.workbench.document.job_files import open_job
 from CNCStepper.workbench.proving.proof_process import ProofRun
@@ -50,6 +51,21 @@ def opened(hand: Hand, job: Any) -> TurnedSimulationTask:
     hand.wait(lambda: task._material is not None and not task._loader.isActive(), PROVEN_S)
     ready(hand, task)
     return task
+
+
+def longest_ms(task: TurnedSimulationTask, shares: list[float], hand: Hand) -> float:
+    """How long the window takes at most to draw a moment."""
+    took, change = [], task._scene.change
+
+    def timed(groups: Any) -> None:
+        begun_s = time.perf_counter()
+        change(groups)
+        took.append(1e3 * (time.perf_counter() - begun_s))
+
+    task._scene.change = timed  # type: ignore[method-assign]
+    for share in shares:
+        go_to(hand, task, share)
+    return max(took)
 
 
 def points(task: TurnedSimulationTask) -> np.ndarray:
@@ -96,6 +112,9 @@ def test_a_turned_part_is_seen_at_any_moment_and_measured(hand: Hand, job: Any) 
 @pytest.mark.window("plain")
 def test_a_turned_part_is_played_stepped_and_clicked(hand: Hand, job: Any) -> None:
     task = opened(hand, job)
+    longest = longest_ms(task, [0.1, 0.3, 0.5, 0.7, 0.9], hand)
+    print(f"a moment is drawn in {longest:.1f} ms at most")
+    assert longest < AT_ONCE_MS
     hand.click("CNCStepper_Simulation_start")
     hand.click("CNCStepper_Simulation_play")
     hand.wait(lambda: task._player.time_s > 2, 30)

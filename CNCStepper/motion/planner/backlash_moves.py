@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -21,7 +22,22 @@ from CNCStepper.machine.backlash import Backlash, Motors
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
 from CNCStepper.motion.planner.plan import duration_s, times_s
-from CNCStepper.toolpath import CHUNK_ROWS, LINE, RAPID, XY, Chunk, Event, Toolpath, begins_of, chunk_of_rows
+from CNCStepper.tolerances import SAME_SUM_MM
+from CNCStepper.toolpath import (
+    CHUNK_ROWS,
+    COLUMNS,
+    LINE,
+    RAPID,
+    XY,
+    Chunk,
+    Event,
+    Toolpath,
+    begins_of,
+    chunk_of_rows,
+    join_chunks,
+)
+
+LEAST_RUN = 32  # straight rows in a run from which on the compiled way is the faster one
 
 Row = tuple[int, tuple[float, ...], tuple[float, ...], int, int, float, int, int]  # the columns of a chunk
 
@@ -103,18 +119,108 @@ def _folded(
         begin = chunk.end[-1] if len(chunk) else begin
 
 
-def _rows_of_chunk(motors: Motors, chunk: Chunk, begin: np.ndarray) -> tuple[list[Row], np.ndarray]:
+def _rows_of_chunk(motors: Motors, chunk: Chunk, begin: np.ndarray) -> tuple[Chunk, np.ndarray]:
     """Return the motors' rows of a chunk that begins at `begin`, and of each of its rows the first; one more is all."""
+    parts, counts = [chunk_of_rows([], 0, axes=3)], [np.zeros(1, np.int64)]
+    for part, some in _motor_parts(motors, chunk, begins_of(chunk, begin)):
+        parts.append(part)
+        counts.append(some)
+    return join_chunks(parts), np.cumsum(np.concatenate(counts))
+
+
+def _motor_parts(motors: Motors, chunk: Chunk, begins: np.ndarray) -> Iterator[tuple[Chunk, np.ndarray]]:
+    """Yield the motors' rows of some of the chunk's rows after the other, and how many each of them became."""
+    in_run = _in_long_run(chunk.kind)
+    bounds = [0, *(np.flatnonzero(np.diff(in_run)) + 1).tolist(), len(chunk)]
+    for first, stop in pairwise(bounds):
+        if not in_run[first:stop].any():
+            yield _single_rows(motors, _part(chunk, first, stop), begins[first:stop])
+            continue
+        while first < stop:
+            part, counts = _straight_rows(motors, _part(chunk, first, stop), begins[first:stop])
+            yield part, counts
+            first += len(counts)
+            if first < stop:  # this one comes from an unknown place
+                yield _single_rows(motors, _part(chunk, first, first + 1), begins[first : first + 1])
+                first += 1
+
+
+def _in_long_run(kind: np.ndarray) -> np.ndarray:
+    """Return for each row whether it is straight and so are LEAST_RUN rows around it, in one run."""
+    straight = (kind == RAPID) | (kind == LINE)
+    bounds = np.concatenate([[0], np.flatnonzero(np.diff(straight)) + 1, [len(kind)]])
+    lengths = np.diff(bounds)
+    return np.repeat(lengths >= LEAST_RUN, lengths) & straight
+
+
+def _part(chunk: Chunk, first: int, stop: int) -> Chunk:
+    """Return some rows of a chunk."""
+    return Chunk(chunk.first + first, *(getattr(chunk, name)[first:stop] for name in COLUMNS))
+
+
+def _straight_rows(motors: Motors, chunk: Chunk, begins: np.ndarray) -> tuple[Chunk, np.ndarray]:
+    """Return the motors' rows of straight rows up to one from an unknown place, and how many each became."""
+    play, at_mm = motors.play, np.array(motors.at_mm)
+    before, after, crosses = np.empty_like(chunk.end), np.empty_like(chunk.end), np.zeros(len(chunk), np.bool_)
+    limits = np.array(play.backlash_mm, float), np.array(play.true_sense), np.array(play.steps_per_mm, float)
+    count = _follow(begins, chunk.end, limits, at_mm, before, after, crosses)
+    motors.at_mm = at_mm.tolist()
+    counts = 1 + crosses[:count].astype(np.int64)
+    rows = _part(replace(chunk, end=after), 0, count)
+    every = Chunk(chunk.first, *(np.repeat(getattr(rows, name), counts, axis=0) for name in COLUMNS))
+    taking = (np.cumsum(counts) - counts)[crosses[:count]]
+    rapid = np.ones(len(taking), np.bool_) if play.beam else every.kind[taking] == RAPID
+    every.kind[taking] = np.where(rapid, RAPID, LINE)
+    every.end[taking] = before[:count][crosses[:count]]
+    every.centre[taking], every.plane[taking] = 0.0, XY
+    every.feed[taking] = np.where(rapid, 0.0, every.feed[taking])
+    return every, counts
+
+
+@njit
+def _follow(begins, ends, limits, at_mm, before, after, crosses):
+    """Do `Motors.go` for straight moves up to one that comes from an unknown place; return how many were done."""
+    backlash_mm, true_sense, steps_per_mm = limits
+    axes = len(at_mm)
+    for row in range(len(ends)):
+        for axis in range(axes):
+            if np.isnan(begins[row, axis]) and not np.isnan(ends[row, axis]) and backlash_mm[axis] != 0.0:
+                return row
+        for axis in range(axes):
+            begin, end, now = begins[row, axis], ends[row, axis], at_mm[axis]
+            before[row, axis] = after[row, axis] = now
+            if np.isnan(end):
+                continue
+            if np.isnan(begin) or np.isnan(now):
+                after[row, axis] = end
+                continue
+            scale = steps_per_mm[axis]
+            forwards = np.floor(end * scale + 0.5) - np.floor(begin * scale + 0.5)
+            if forwards == 0.0:
+                after[row, axis] = end + (now - begin)
+                continue
+            sense = 1 if forwards > 0.0 else -1
+            ahead = 0.0 if sense == true_sense[axis] else sense * backlash_mm[axis]
+            before[row, axis], after[row, axis] = begin + ahead, end + ahead
+            if abs(before[row, axis] - now) > SAME_SUM_MM:
+                crosses[row] = True
+        for axis in range(axes):
+            at_mm[axis] = after[row, axis]
+    return len(ends)
+
+
+def _single_rows(motors: Motors, chunk: Chunk, begins: np.ndarray) -> tuple[Chunk, np.ndarray]:
+    """Return the motors' rows of rows of any kind, and how many each became."""
     rows: list[Row] = []
-    firsts = np.empty(len(chunk) + 1, np.int64)
+    counts = np.empty(len(chunk), np.int64)
     names = ("kind", "centre", "plane", "turns", "feed", "state", "line")
     columns = (getattr(chunk, name).tolist() for name in names)
-    places = (map(tuple, column.tolist()) for column in (begins_of(chunk, begin), chunk.end))
+    places = (map(tuple, column.tolist()) for column in (begins, chunk.end))
     for number, row in enumerate(zip(*places, *columns, strict=True)):
-        firsts[number] = len(rows)
+        before = len(rows)
         rows += _rows_of(motors, *row)
-    firsts[-1] = len(rows)
-    return rows, firsts
+        counts[number] = len(rows) - before
+    return chunk_of_rows(rows, 0, axes=3), counts
 
 
 def _named(path: Toolpath) -> set[int]:
@@ -147,9 +253,10 @@ def _beside(centre, piece: Piece, motors_mm: list[float]) -> tuple[float, ...]:
     )
 
 
-def _chunks(rows: list[Row], first: int) -> Iterator[Chunk]:
+def _chunks(rows: Chunk, first: int) -> Iterator[Chunk]:
+    """Yield rows as chunks of which the first begins with row `first` of the table."""
     for begin in range(0, max(len(rows), 1), CHUNK_ROWS):
-        yield chunk_of_rows(rows[begin : begin + CHUNK_ROWS], first + begin, axes=3)
+        yield replace(_part(rows, begin, begin + CHUNK_ROWS), first=first + begin)
 
 
 def tool_moves(path: Toolpath, play: Backlash) -> Toolpath:

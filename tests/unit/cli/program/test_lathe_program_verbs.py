@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from helpers.cli.command_line import called
@@ -42,6 +43,17 @@ def test_simulate_draws_the_half_section_and_reads_dimensions(program, tmp_path:
     content = json.loads(report.read_text("utf-8"))
     assert content["profile"][0] == [-170, 55]
     assert content["x_is"] in words
+
+
+def test_simulate_writes_the_turned_part_as_a_mesh(program, tmp_path: Path) -> None:
+    picture, mesh = tmp_path / "part.png", tmp_path / "part.stl"
+    ended = called("simulate", program("G7"), *BAR, "-o", picture, "--stl", mesh, "--machine", "table-a")
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    facet = np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("zero", "<u2")])
+    points = np.frombuffer(mesh.read_bytes()[84:], facet)["points"].reshape(-1, 3)
+    radius = np.hypot(*points[:, :2].T)
+    assert radius.max() == pytest.approx(27.5, abs=1e-4)
+    assert radius[np.abs(points[:, 2] + 40) < 0.01].min() == pytest.approx(25, abs=1.0)
 
 
 def test_simulate_shows_the_part_after_a_line(program, tmp_path: Path) -> None:

@@ -11,10 +11,11 @@ import pytest
 
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.motion.planner import backlash_moves
 from CNCStepper.motion.planner.backlash_moves import motor_moves, row_times_s, tool_moves
 from CNCStepper.motion.planner.plan import begun, sample, step_events, times_s
 from CNCStepper.state import Start
-from CNCStepper.toolpath import ARC_CCW, ARC_CW, RAPID, TableBuilder, Toolpath
+from CNCStepper.toolpath import ARC_CCW, ARC_CW, COLUMNS, RAPID, TableBuilder, Toolpath
 
 
 def loose(*backlash_mm: float, homing: str = "max") -> Machine:
@@ -110,3 +111,38 @@ def test_an_axis_from_an_unknown_place_comes_in_its_true_sense() -> None:
     motors = motor_moves(table.toolpath(), Backlash.of(loose(0.1, 0.1, 0.1)))
     assert motors.table().end[:, 2].tolist() == [5.1, 5.0]
     assert times_s(begun(motors), loose(0.1, 0.1, 0.1))[-1] > 0
+
+
+def many_moves(random_of: random.Random) -> Toolpath:
+    """Lines that turn back, stand still or make less than a step, rapids, a few arcs, and a begin that is unknown."""
+    table = TableBuilder(Start())
+    table.rapid((float("nan"), float("nan"), 5.0))
+    at = [1.0, 1.0, 5.0]
+    table.rapid(at)
+    for _ in range(300):
+        at = [place + random_of.choice((0, 0, random_of.uniform(-1, 1), 0.001, -0.001)) for place in at]
+        if random_of.random() < 0.02:
+            centre = (at[0] + random_of.uniform(-4, 4), at[1] + random_of.uniform(-4, 4), at[2])
+            table.arc(random_of.choice((ARC_CW, ARC_CCW)), at, centre, 900.0)
+        elif random_of.random() < 0.2:
+            table.rapid(at)
+        else:
+            table.feed(at, random_of.choice((300.0, 900.0)))
+    return table.toolpath()
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_rows_in_a_run_become_the_same_as_one_by_one(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    print("seed", seed)
+    random_of = random.Random(seed)
+    path = many_moves(random_of)
+    play = replace(Backlash.of(loose(0.25, 0.0, 0.05)), true_sense=random_of.choice([(1, -1, 1), (-1, 1, -1)]))
+    ways = []
+    for least in (2, 1_000_000):
+        monkeypatch.setattr(backlash_moves, "LEAST_RUN", least)
+        table = motor_moves(path, replace(play, beam=seed % 2 == 1)).table()
+        ways.append([getattr(table, name).tobytes() for name in COLUMNS])
+    assert ways[0] == ways[1]
+    kinds = path.table().kind
+    assert (kinds == ARC_CW).any() or (kinds == ARC_CCW).any()
+    assert len(table) > len(path) + 50  # play is taken up often
