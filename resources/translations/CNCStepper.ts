@@ -13234,6 +13234,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a jog of the lathe names one axis, X or Z, and a feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a lathe has no cycle '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16551,6 +16555,10 @@
         </message>
         <message>
             <source>jog less far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>jog one axis after the other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -13234,6 +13234,10 @@
             <translation>um movimento manual precisa de distância e avanço</translation>
         </message>
         <message>
+            <source>a jog of the lathe names one axis, X or Z, and a feed</source>
+            <translation>um movimento manual do torno indica um só eixo, X ou Z, e um avanço</translation>
+        </message>
+        <message>
             <source>a lathe has no cycle '{name}'</source>
             <translation>um torno não tem o ciclo '{name}'</translation>
         </message>
@@ -16552,6 +16556,10 @@
         <message>
             <source>jog less far</source>
             <translation>mova menos</translation>
+        </message>
+        <message>
+            <source>jog one axis after the other</source>
+            <translation>mova um eixo depois do outro</translation>
         </message>
         <message>
             <source>jog to a place with more room, or test a shorter length</source>
