@@ -13234,6 +13234,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a jog of the lathe names one axis, X or Z, and a feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a lathe has no cycle '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14887,6 +14891,10 @@
         </message>
         <message>
             <source>constant surface speed became a speed a move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>constant_surface_speed takes surface_speed_m_min and max_rpm: take spindle_rpm out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16547,6 +16555,10 @@
         </message>
         <message>
             <source>jog less far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>jog one axis after the other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18930,6 +18942,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>spindle_rpm = {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>spindle_rpm = {0}, for example</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19163,6 +19179,10 @@
         </message>
         <message>
             <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take constant_surface_speed out, and give a fixed speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21746,6 +21766,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the spindle of this machine does not follow X: it has no G96</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle runs while the tool is changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24043,6 +24067,10 @@
         </message>
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{cycle} needs a fixed speed of the spindle: take constant_surface_speed out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
