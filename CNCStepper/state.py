@@ -114,6 +114,7 @@ class State:
     feed_mm_min: float = 0.0  # the F word in force
     feed_mm_turn: float = 0.0  # the same under G95
     surface_m_min: float = 0.0  # G96: what S asks for; spindle_rpm follows X
+    largest_rpm: float = 0.0  # D of G96
     rotation_deg: float = 0.0  # of the work system about Z
     blend_mm: float = 0.0  # G64 P: how far corners may be cut; 0 without P, when no one has said how far
     spindle_number: int = 0  # $ of M3: QtPlasmaC's torch 0, scribe 1, spotting 2

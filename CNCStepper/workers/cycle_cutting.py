@@ -93,7 +93,7 @@ class Answers:
         return answer_to(part)
 
     def _text(self, part: dict[str, Any]) -> dict[str, Any]:
-        from CNCStepper.job.drawings.imported_drawing import packed_curves
+        from CNCStepper.job.drawings.packed_curves import packed_curves
         from CNCStepper.job.shape_forms.text_form import TextForm
 
         tell({"stage": "fit"})

@@ -42,11 +42,15 @@ class NewestQuestion:
     def wait(self) -> dict[str, Any]:
         """Return the newest question; wait where there is none."""
         question, self._newer = self._newer, None
+        self.stopped.clear()
         while question is None or not self._questions.empty():
             told = self._questions.get()
-            question = question if STOP in told else told
+            if STOP not in told:
+                question = told
+                self.stopped.clear()
+            elif question is not None and told[STOP] == question.get("mark"):
+                self.stopped.set()
         self._mark = question.get("mark")
-        self.stopped.clear()
         return question
 
     def look(self) -> None:

@@ -13294,6 +13294,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a jog of the lathe names one axis, X or Z, and a feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a lathe has no cycle '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14947,6 +14951,10 @@
         </message>
         <message>
             <source>constant surface speed became a speed a move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>constant_surface_speed takes surface_speed_m_min and max_rpm: take spindle_rpm out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16607,6 +16615,10 @@
         </message>
         <message>
             <source>jog less far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>jog one axis after the other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18986,6 +18998,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>spindle_rpm = {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>spindle_rpm = {0}, for example</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19219,6 +19235,10 @@
         </message>
         <message>
             <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take constant_surface_speed out, and give a fixed speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21802,6 +21822,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the spindle of this machine does not follow X: it has no G96</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle runs while the tool is changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24099,6 +24123,10 @@
         </message>
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{cycle} needs a fixed speed of the spindle: take constant_surface_speed out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

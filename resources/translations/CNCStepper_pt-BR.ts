@@ -13294,6 +13294,10 @@
             <translation>um movimento manual precisa de distância e avanço</translation>
         </message>
         <message>
+            <source>a jog of the lathe names one axis, X or Z, and a feed</source>
+            <translation>um movimento manual do torno indica um só eixo, X ou Z, e um avanço</translation>
+        </message>
+        <message>
             <source>a lathe has no cycle '{name}'</source>
             <translation>um torno não tem o ciclo '{name}'</translation>
         </message>
@@ -14948,6 +14952,10 @@
         <message>
             <source>constant surface speed became a speed a move</source>
             <translation>a velocidade de corte constante virou uma rotação por movimento</translation>
+        </message>
+        <message>
+            <source>constant_surface_speed takes surface_speed_m_min and max_rpm: take spindle_rpm out</source>
+            <translation>constant_surface_speed usa surface_speed_m_min e max_rpm: retire spindle_rpm</translation>
         </message>
         <message>
             <source>convert the text to paths in the drawing program</source>
@@ -16608,6 +16616,10 @@
         <message>
             <source>jog less far</source>
             <translation>mova menos</translation>
+        </message>
+        <message>
+            <source>jog one axis after the other</source>
+            <translation>mova um eixo depois do outro</translation>
         </message>
         <message>
             <source>jog to a place with more room, or test a shorter length</source>
@@ -18986,6 +18998,10 @@
             <translation>spindle, tocha ou feixe podem ainda estar ligados: verifique e desligue-os na máquina</translation>
         </message>
         <message>
+            <source>spindle_rpm = {0}</source>
+            <translation>spindle_rpm = {0}</translation>
+        </message>
+        <message>
             <source>spindle_rpm = {0}, for example</source>
             <translation>spindle_rpm = {0}, por exemplo</translation>
         </message>
@@ -19220,6 +19236,10 @@
         <message>
             <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
             <translation>use uma espessura dentro dela, outro consumível, ou dê uma tabela própria com esta linha</translation>
+        </message>
+        <message>
+            <source>take constant_surface_speed out, and give a fixed speed</source>
+            <translation>retire constant_surface_speed e dê uma rotação fixa</translation>
         </message>
         <message>
             <source>take it out</source>
@@ -21802,6 +21822,10 @@
             <translation>o spindle é ligado com S0, pois nenhuma rotação foi indicada antes</translation>
         </message>
         <message>
+            <source>the spindle of this machine does not follow X: it has no G96</source>
+            <translation>o fuso desta máquina não acompanha X: ela não tem G96</translation>
+        </message>
+        <message>
             <source>the spindle runs while the tool is changed</source>
             <translation>o spindle gira durante a troca de ferramenta</translation>
         </message>
@@ -24100,6 +24124,10 @@
         <message>
             <source>{crossing} rapid(s) lead over parts that are already free</source>
             <translation>{crossing} rápido(s) passa(m) sobre peças já soltas</translation>
+        </message>
+        <message>
+            <source>{cycle} needs a fixed speed of the spindle: take constant_surface_speed out</source>
+            <translation>{cycle} precisa de uma rotação fixa do fuso: retire constant_surface_speed</translation>
         </message>
         <message>
             <source>{deep_mm:.3f} mm deep</source>

@@ -23,8 +23,9 @@ def command(session: str | None) -> None:
     from CNCStepper.control.session.job_phase import WAITING
 
     with attach(session_file(session)) as client:
+        before = client.status()  # asked first: a refusal that came with it would be lost
         client.hold()
-        status = follow(client, client.status(), lambda status: status.phase in WAITING, "hold")
+        status = follow(client, before, lambda status: status.phase in WAITING, "hold")
         if client.outcome:
             raise click.ClickException(f"the job has ended: {client.outcome.text}")
         click.echo(f"{status.phase}: {why(status)}, at line {status.file_line}")

@@ -24,7 +24,8 @@ def command(session: str | None) -> None:
     from CNCStepper.control.service.connection_session import attach
 
     with attach(session_file(session)) as client:
+        before = client.status()  # asked first: a refusal that came with it would be lost
         client.stop()
-        follow(client, client.status(), lambda status: False, "stop")
+        follow(client, before, lambda status: False, "stop")
         if client.outcome:
             click.echo(client.outcome.text)

@@ -18,7 +18,12 @@ if TYPE_CHECKING:
     from CNCStepper.control.journal.replay import JobReplay
 
 
-NOTHING_CUT, NOTHING_LEFT = "restart-at-start", "restart-nothing-left"
+NOTHING_CUT, NOTHING_LEFT, WHOLE_ONLY = "restart-at-start", "restart-nothing-left", "restart-lathe"
+WHY_WHOLE = {
+    NOTHING_CUT: "nothing is cut before line {line}, so the program is sent from its beginning",
+    WHOLE_ONLY: "the lathe's program has no entry in its middle: switch the lathe off and on, set its zero by hand, "
+    "then send the program from its beginning",
+}
 
 
 @click.command("resume", cls=Verb)
@@ -101,19 +106,22 @@ def _offered(story: JobReplay, file: Path, line: int) -> Iterator[tuple[str, str
     """Yield the command, and before it what it lacks."""
     from CNCStepper.cli.recovery.restart_command import RestartLine
 
-    why_not = _nothing_to_enter(story, file, line)
+    why_not = _no_entry(story, file, line)
     if why_not == NOTHING_LEFT:
         yield "restart", "none is needed: from there on the program cuts nothing"
         return
     offered = RestartLine(story, file, 0 if why_not else line)
     yield from offered.told
     if why_not:
-        yield "whole", f"nothing is cut before line {line}, so the program is sent from its beginning"
+        yield "whole", WHY_WHOLE[why_not].format(line=line)
     yield "restart", str(offered)
 
 
-def _nothing_to_enter(story: JobReplay, file: Path, line: int) -> str:
-    """Return NOTHING_CUT or NOTHING_LEFT where the program cuts nothing before a line, or from there on; else ""."""
+def _no_entry(story: JobReplay, file: Path, line: int) -> str:
+    """Return NOTHING_CUT or NOTHING_LEFT where the program cuts nothing before a line, or from there on; else "".
+
+    WHOLE_ONLY: its language has no entry.
+    """
     from CNCStepper.recovery.restart.entry_point import entry_point_of
     from CNCStepper.recovery.restart.interrupted_program import read_program as read
     from CNCStepper.recovery.restart.restart_places import RequestedPlace, place_of
@@ -122,7 +130,7 @@ def _nothing_to_enter(story: JobReplay, file: Path, line: int) -> str:
         program = read(read_program(file), story.header.get("dialect") or "grbl", None, str(file))
         entry_point_of(program, place_of(program, RequestedPlace(line=line)))
     except ProgramError as error:  # any other the command itself tells, which reads the program with all its options
-        return error.code if error.code in (NOTHING_CUT, NOTHING_LEFT) else ""
+        return error.code if error.code in (NOTHING_CUT, NOTHING_LEFT, WHOLE_ONLY) else ""
     return ""
 
 

@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from CNCStepper.cycles.turning.nose_path import framed, require_reach, sharp_hollows
-from CNCStepper.cycles.turning.turn_rough import RoughedProfile
+from CNCStepper.cycles.turning.profile_path import ProfilePath
 from CNCStepper.cycles.turning.turning_moves import TurningMoves
-from CNCStepper.cycles.turning.turning_operation import TurnFinish, TurnRough
+from CNCStepper.cycles.turning.turning_operation import TurnFinish
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
 
 
@@ -15,7 +15,5 @@ def finish(operation: TurnFinish, setup: TurningSetup, moves: TurningMoves) -> d
     assert setup.profile is not None
     profile = framed(setup.profile, moves.side)
     require_reach(profile, setup, moves.side)
-    shared = operation.model_dump(exclude={"cycle"})
-    as_rough = TurnRough(cycle="turn_rough", ap_mm=1.0, **shared)
-    RoughedProfile(as_rough, setup, moves, profile).along_path()
+    ProfilePath(operation, setup, moves, profile).along_path()
     return {"length_mm": round(profile.length_mm, 6), "corners_with_fillet": float(sharp_hollows(profile))}

@@ -9,6 +9,7 @@ Places are those of the nose's centre; the table gets the control point in the p
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import hypot
 
 from CNCStepper.cycles.turning.turned_coordinates import Placement
@@ -42,7 +43,7 @@ class TurningMoves:
     def feed(self, z_mm: float, r_mm: float) -> None:
         """Cut straight to a place."""
         if self._moves_to(z_mm, r_mm):
-            self._table.feed(self._place(z_mm, r_mm), self._setup.feed_mm_min)
+            self._table.feed(self._place(z_mm, r_mm), self._feed_mm_min(r_mm))
             self.z_mm, self.r_mm = z_mm, r_mm
 
     def follow(self, curve: Curve) -> None:
@@ -55,7 +56,7 @@ class TurningMoves:
                 clockwise = (bulge < 0) != ((self.side < 0) != self._placement.mirrors)
                 centre = self._place(centre_z, centre_r)
                 kind = ARC_CW if clockwise else ARC_CCW
-                self._table.arc(kind, self._place(z, r), centre, self._setup.feed_mm_min, plane=ZX)
+                self._table.arc(kind, self._place(z, r), centre, self._feed_mm_min(r), plane=ZX)
                 self.z_mm, self.r_mm = z, r
 
     def rapid_tip(self, z_mm: float, r_mm: float) -> None:
@@ -74,8 +75,12 @@ class TurningMoves:
         """Begin the span of a cycle."""
         self._table.open_span("turning_cycle", name, **words)
 
+    def open_profile(self) -> None:
+        """Begin the span of a cycle's profile within that of the cycle."""
+        self._table.open_span("turned_profile", "")
+
     def close_cycle(self) -> None:
-        """End it."""
+        """End the innermost of these spans."""
         self._table.close_span()
 
     def dwell(self, seconds: float) -> None:
@@ -104,6 +109,13 @@ class TurningMoves:
 
     def _moves_to(self, z_mm: float, r_mm: float) -> bool:
         return abs(z_mm - self.z_mm) > SAME_MM or abs(r_mm - self.r_mm) > SAME_MM
+
+    def _feed_mm_min(self, r_mm: float) -> float:
+        """Return the feed of a move to a place, and let the spindle's speed follow it where it does."""
+        rpm = self._setup.rpm_at(self.side * r_mm - self._nose[1])
+        if rpm != self._table.state.spindle_rpm:
+            self._table.set_state(replace(self._table.state, spindle_rpm=rpm))
+        return self._setup.feed_mm_rev * rpm
 
     def _place(self, z_mm: float, r_mm: float) -> tuple[float, float, float]:
         return self._placement.program(z_mm - self._nose[0], self.side * r_mm - self._nose[1])

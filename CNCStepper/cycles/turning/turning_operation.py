@@ -17,11 +17,22 @@ from CNCStepper.cycles.turning.turning_parameters import (
 )
 from CNCStepper.errors import JobError, Text
 
+FIXED_SPEED = ("turn_drill", "turn_thread")  # cycles on the axis, or in step with the spindle
+
 
 class TurningOperation(TurningParameters, BaseModel):
     """An operation of any cycle."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+    @model_validator(mode="after")
+    def _speed_follows_x(self) -> TurningOperation:
+        if self.constant_surface_speed and self.spindle_rpm:
+            raise ValueError("constant_surface_speed takes surface_speed_m_min and max_rpm: take spindle_rpm out")
+        if self.constant_surface_speed and self.cycle in FIXED_SPEED:
+            what = "{cycle} needs a fixed speed of the spindle: take constant_surface_speed out"
+            raise ValueError(Text(what, cycle=self.cycle))
+        return self
 
 
 class TurnFace(TurnFaceParameters, TurningOperation):

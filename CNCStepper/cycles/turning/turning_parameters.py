@@ -20,7 +20,10 @@ DWELL = Parameter(CUT, "Pause", "Seconds at the bottom", name="Pause")
 
 
 class TurningParameters(Parameters):
-    """The keys of every cycle: feeds and speeds, 0 takes those of the tool; clearance_mm: where a rapid ends."""
+    """The keys of every cycle: feeds and speeds, 0 takes those of the tool; clearance_mm: where a rapid ends.
+
+    constant_surface_speed: the spindle follows X (G96) so that the surface speed stays, up to max_rpm.
+    """
 
     cycle: str
     tool: ToolReference
@@ -38,6 +41,7 @@ class TurningParameters(Parameters):
     max_rpm: Annotated[
         SpeedOr0, Parameter(FEEDS, "Fastest spindle", "The limit of the surface speed; 0: none", name="MostTurns")
     ] = 0.0  # fmt: skip
+    constant_surface_speed: bool = False
     clearance_mm: Annotated[Width, Parameter(PATH, "Clearance", "How far before the material a rapid ends", 1.0)] = 1.0
 
 

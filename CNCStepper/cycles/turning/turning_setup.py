@@ -4,10 +4,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from math import pi
 
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.turning_tool import TurningTool
+
+SMALLEST_MM = 1e-6  # of a radius
 
 
 @dataclass(frozen=True)
@@ -16,7 +19,7 @@ class TurningSetup:
 
     radius_mm, face_mm: of the raw bar and its end. bore_mm: diameter of what is hollow already, 0 for none. start: z
     and radius at which the tool stands before and after the operation. feed_mm_rev, rpm: of the operation. machine:
-    whose axes must follow the spindle.
+    whose axes must follow the spindle. surface_m_min: that the spindle keeps, up to largest_rpm; 0 where rpm is fixed.
     """
 
     tool: TurningTool
@@ -28,11 +31,14 @@ class TurningSetup:
     rpm: float
     profile: Curve | None = None
     machine: Machine | None = None
+    surface_m_min: float = 0.0
+    largest_rpm: float = 0.0
 
-    @property
-    def feed_mm_min(self) -> float:
-        """The feed at the spindle's speed."""
-        return self.feed_mm_rev * self.rpm
+    def rpm_at(self, r_mm: float) -> float:
+        """Return the spindle's speed at a radius of the control point."""
+        if not self.surface_m_min:
+            return self.rpm
+        return min(self.surface_m_min * 1000.0 / (2.0 * pi * max(abs(r_mm), SMALLEST_MM)), self.largest_rpm)
 
 
 @dataclass(frozen=True)

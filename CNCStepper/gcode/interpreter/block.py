@@ -19,7 +19,7 @@ from CNCStepper.gcode.interpreter.canonical_output import SET_FEED, Canon, Canon
 from CNCStepper.gcode.interpreter.motion.arcs import Arc, chords
 from CNCStepper.gcode.interpreter.motion.end_points import unknown_position
 from CNCStepper.gcode.interpreter.state import stand_alone_position
-from CNCStepper.gcode.interpreter.state.interpreter_state import NO_FURTHER, Model, Point, rpm_at
+from CNCStepper.gcode.interpreter.state.interpreter_state import NO_FURTHER, Model, Point, mean_rpm
 from CNCStepper.gcode.interpreter.state.parameters import length_scale
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.gcode.syntax.words import Word
@@ -191,7 +191,7 @@ class Block(CanonicalBlock, ABC):
         if model.state.feed_mode == "per_minute":
             return model.state.feed_mm_min
         if model.state.feed_mode == "per_turn":
-            return model.state.feed_mm_turn * rpm_at(model, end)
+            return model.state.feed_mm_turn * mean_rpm(model, end)
         if length < 0:
             begin = (*model.machine(model.programmed_work()), *(model.further or (0.0,) * len(further)))
             length = _way_length(begin, (*end, *further), arc)

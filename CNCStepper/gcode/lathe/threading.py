@@ -132,7 +132,7 @@ def _words(block: Block, end: Point) -> Thread:
     _check_words(block)
     own = scale / 2 if block.model.diameter else scale
     crest, first, depth = (abs(block.value(letter)) * own for letter in "IJK")
-    begin = block.model.work(block.known_position(range(3)))
+    begin = block.model.work(block.known_position((0, 2)))  # a lathe has no Y
     back = -1.0 if end[2] > begin[2] else 1.0  # a thread may be cut away from the chuck
     taper = max(0.0, block.value("E") * scale) if "E" in slots else 0.0
     pitch = block.value("P")

@@ -299,6 +299,17 @@ class BlockEmitter:
         self.line(name, *words)
         self._arrive([*end])
 
+    def profile_cycle(self, name: str, words: list[str], feed_mm_min: float, end: tuple[int, int, int]) -> None:
+        """Write a cycle along a profile, which leads to `end`."""
+        self.line(self._feed_word(LINE, feed_mm_min))
+        self.line(name, *words)
+        self._motion = ""
+        self._arrive([*end])
+
+    def coordinate(self, axis: int, count: int) -> str:
+        """Return the word of an absolute coordinate."""
+        return f"{AXES[axis]}{self.grid.text(count * (self.x_factor if axis == 0 else 1))}"
+
     def canned(self, name: str, words: list[str], feed_mm_min: float, end: tuple[int, int, int]) -> None:
         """Write a block of the canned cycle `name`, which leads to `end`."""
         self.select_plane(XY)
@@ -321,7 +332,8 @@ class BlockEmitter:
     def use_turn_feed(self, rpm: float) -> None:
         """Write the feeds to come in mm a turn at a speed, or in mm a minute where it is 0."""
         if rpm != self.turn_rpm:
-            self.turn_rpm, self._feed = rpm, ""
+            self._feed = self._feed if rpm and self.turn_rpm else ""
+            self.turn_rpm = rpm
             self._feeds.clear()
 
     def select_plane(self, plane: int) -> None:

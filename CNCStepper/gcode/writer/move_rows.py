@@ -80,6 +80,11 @@ class RowWriter:
         x, y, z = self._end_counts[row]
         return x or 0, y or 0, z or 0
 
+    def centre_counts(self, row: int) -> tuple[float, float]:
+        """Return X and Z of an arc's centre on the grid, not rounded."""
+        x, _, z = self._centres[row]
+        return x, z
+
     def lift_first(self) -> None:
         """Move Z to clearance where that is still to be done, so that it is the first motion."""
         if self.must_lift and self.has_height:

@@ -21,6 +21,7 @@ from CNCStepper.state import State
 
 TOUCH_OFF = ", then set the Z zero with it"
 SPINDLE_CODES = {"cw": "M3", "ccw": "M4"}
+M_PER_FOOT = 0.3048
 LASTING = ("spindle", "coolant")  # what stays on over many moves
 
 
@@ -40,6 +41,7 @@ class Switches:
         self.work_system = ""
         self.length_mm = 0.0
         self._spindle = ("off", 0.0)
+        self._surface = (0.0, 0.0)  # m/min of G96, and the highest speed in rpm
         self._coolant = (False, False)  # mist, flood
         self._owed_s = 0.0  # dwell that the spindle still needs
         self.goes_on = False  # whether the next row cuts on
@@ -194,6 +196,8 @@ class Switches:
             return
         if not self._has((SPINDLE_CODES[state.spindle],), "spindle", "words for the spindle"):
             return
+        if self._keeps_surface(state):
+            return
         if state.spindle != spindle:
             if not state.spindle_rpm:
                 self.page.notes.add("the spindle is switched on at S0, since no S came before")
@@ -202,6 +206,24 @@ class Switches:
         elif state.spindle_rpm != rpm and self.dialect.power == "speed":
             self.page.line(*self._speed_words(state))
         self._spindle = (state.spindle, state.spindle_rpm)
+
+    def _keeps_surface(self, state: State) -> bool:
+        """Bring G96 or G97 of a lathe's program into force; whether the spindle follows X."""
+        surface = (state.surface_m_min, state.largest_rpm)
+        is_wanted = bool(state.surface_m_min and self.options.x_is and "G96" in self.dialect.codes)
+        if is_wanted and surface != self._surface:
+            speed = surface[0] / (1.0 if self.options.units == "mm" else M_PER_FOOT)
+            self.page.line("G96", f"D{_number(surface[1])}", f"S{_number(speed)}")
+        elif self._surface[0] and not is_wanted:
+            self.page.line("G97", self._speed_word(state))
+            self._spindle = (self._spindle[0], state.spindle_rpm)
+        self._surface = surface if is_wanted else (0.0, 0.0)
+        if is_wanted and state.spindle != self._spindle[0]:
+            self.page.line(SPINDLE_CODES[state.spindle])
+            self._owed_s = self.options.spin_up_s
+        if is_wanted:
+            self._spindle = (state.spindle, 0.0)
+        return is_wanted
 
     def _check_once(self, state: State) -> None:
         """Refuse to switch power on again where the language has no words for it and it is on from the begin."""

@@ -25,6 +25,7 @@ from CNCStepper.gcode.writer.block_emitter import BlockEmitter, Grid, ascii_text
 from CNCStepper.gcode.writer.canned_cycle_blocks import CycleWriter
 from CNCStepper.gcode.writer.move_rows import RowWriter
 from CNCStepper.gcode.writer.plasma_words import PlasmaSwitches
+from CNCStepper.gcode.writer.profile_cycle_blocks import ProfileCycleWriter
 from CNCStepper.gcode.writer.state_changes import Switches
 from CNCStepper.gcode.writer.thread_blocks import ThreadWriter
 from CNCStepper.gcode.writer.turning_words import begin_turning, follow_feed_mode, turned_words
@@ -150,6 +151,7 @@ class _Writer:
         self.rows = RowWriter(toolpath, self.page, options, keeps_lengths)
         self.cycles = CycleWriter(toolpath, self.page, self.rows)
         self.threads = ThreadWriter(toolpath, self.page, self.rows, options.turning_cycles)
+        self.profiles = ProfileCycleWriter(toolpath, self.page, self.rows, options.turning_cycles)
         one = len({state.work_system for state in used}) < 2
         self._one_system = options.work_offset if one else ""
 
@@ -186,7 +188,7 @@ class _Writer:
 
     def _row(self, row: int, last: int) -> int:
         """Write a row, or all rows of a hole as a canned cycle; return the next row."""
-        after = self.threads.write(row, last) or self.cycles.write(row, last)
+        after = self.threads.write(row, last) or self.profiles.write(row, last) or self.cycles.write(row, last)
         if after == row:
             self.page.lead_mm = self.threads.lead_mm(row)
             self.rows.write(row)
@@ -296,6 +298,7 @@ class _Writer:
             self.page.line(*(turned_words(words, self.page.dialect, self.options) if self.options.x_is else words))
         if self.options.x_is:
             begin_turning(self.page, self.options)
+            self.profiles.declare(first, last)
         self.switches.begin()
         if not self.options.retract and first < last:
             self.rows.begin(first)

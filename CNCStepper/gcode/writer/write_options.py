@@ -29,8 +29,8 @@ class WriteOptions:
     "tool" (it is refused otherwise). chord_mm: how far lines may be from an arc that the dialect lacks. rapid_mm_min:
     the F of rapids where they heed it (0: the last one). An empty work_offset is the table's own. cut_data: the
     material of a controller that knows such. x_is: of a lathe's program, whose plane is ZX: how it gives X; "" is no
-    lathe. incremental: all moves are given from where the tool is. turning_cycles: threads are written as G76 where the
-    dialect has it.
+    lathe. incremental: all moves are given from where the tool is. turning_cycles: threads are written as G76 and
+    profiles as G70 to G72 where the dialect has them.
     """
 
     units: Literal["mm", "inch"] = "mm"

@@ -7,7 +7,6 @@ file ──► read_imported ──► packed: plain data for JSON ══► unp
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Sequence
 from dataclasses import asdict, astuple, dataclass, replace
 from pathlib import Path
@@ -18,13 +17,12 @@ import numpy as np
 from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Share, Skipped
 from CNCStepper.drawing.repair.mend import Change, mended
 from CNCStepper.drawing.repair.problems import Problem, RepairLimits, problems_of
-from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.drawings.linked_file import FileState, read_linked
+from CNCStepper.job.drawings.packed_curves import Packed, array_of, column_text, packed_curves, unpacked_curves
 from CNCStepper.job.shape_forms.drawing_form import DrawingForm
 
 GROUPS = "\x1f"  # between the names of groups: no printable text holds it
 MOST_TOLD = 200  # problems, changes and skipped entities that are kept by their places
-Packed = dict[str, Any]
 
 
 @dataclass(frozen=True)
@@ -90,7 +88,7 @@ def packed(imported: ImportedDrawing) -> Packed:
         "colour": _texts([chain.attributes.colour for chain in chains]),
         "name": _texts([chain.attributes.name for chain in chains]),
         "groups": _texts([GROUPS.join(chain.attributes.groups) for chain in chains]),
-        "filled": _column(np.array([chain.attributes.filled for chain in chains], np.uint8)),
+        "filled": column_text(np.array([chain.attributes.filled for chain in chains], np.uint8)),
         "state": asdict(imported.state),
         "unit_mm": imported.unit_mm,
         "warnings": list(imported.warnings),
@@ -100,7 +98,7 @@ def packed(imported: ImportedDrawing) -> Packed:
 
 def unpacked(content: Packed) -> ImportedDrawing:
     """Return the drawing of `packed`."""
-    filled = _array(content["filled"], np.uint8).astype(bool).tolist()
+    filled = array_of(content["filled"], np.uint8).astype(bool).tolist()
     columns = [_texts_of(content[key]) for key in ("layer", "colour", "name", "groups")]
     chains = [
         Chain(curve, Attributes(layer, colour, name, tuple(groups.split(GROUPS)) if groups else (), is_filled))
@@ -120,40 +118,13 @@ def _rows(told: Told) -> list[Any]:
     return [told.count, [list(astuple(row)) for row in told.rows]]
 
 
-def packed_curves(curves: Sequence[Curve]) -> Packed:
-    """Return curves as three columns: vertices, bulges, and how many segments each curve has."""
-    xy = np.concatenate([curve.xy for curve in curves]) if curves else np.zeros((0, 2))
-    bulge = np.concatenate([curve.bulge for curve in curves]) if curves else np.zeros(0)
-    return {"xy": _column(xy), "bulge": _column(bulge), "segments": _column(np.array(list(map(len, curves)), np.int64))}
-
-
-def unpacked_curves(content: Packed) -> list[Curve]:
-    """Return the curves of `packed_curves`."""
-    xy, bulge = _array(content["xy"], np.float64).reshape(-1, 2), _array(content["bulge"], np.float64)
-    segments = _array(content["segments"], np.int64)
-    ends = np.cumsum(segments)
-    firsts, vertices = (ends - segments).tolist(), (ends - segments + np.arange(len(segments))).tolist()
-    rows = zip(firsts, vertices, segments.tolist(), strict=True)
-    return [
-        Curve.trusted(xy[vertex : vertex + count + 1], bulge[first : first + count]) for first, vertex, count in rows
-    ]
-
-
-def _column(values: np.ndarray) -> str:
-    return base64.b64encode(np.ascontiguousarray(values).tobytes()).decode("ascii")
-
-
-def _array(text: str, kind: Any) -> np.ndarray:
-    return np.frombuffer(base64.b64decode(text), kind).copy()  # kernels take no columns that cannot be written
-
-
 def _texts(values: Sequence[str]) -> list[Any]:
     """Return texts as those that differ, and a column of their numbers."""
     numbers: dict[str, int] = {}
     column = [numbers.setdefault(value, len(numbers)) for value in values]
-    return [list(numbers), _column(np.array(column, np.int32))]
+    return [list(numbers), column_text(np.array(column, np.int32))]
 
 
 def _texts_of(content: list[Any]) -> list[str]:
     different, column = content
-    return [different[number] for number in _array(column, np.int32).tolist()]
+    return [different[number] for number in array_of(column, np.int32).tolist()]

@@ -34,7 +34,8 @@ from CNCStepper.job.editing.arrangement import (
     program_of,
     work_surface,
 )
-from CNCStepper.job.nesting.nest_question import FILL, SEARCH, WRITE, packed_items, parts_of, rows_of, with_locked
+from CNCStepper.job.nesting.nest_data import FILL, SEARCH, WRITE, packed_items, parts_of, rows_of
+from CNCStepper.job.nesting.nest_question import with_locked
 from CNCStepper.machine.profile import Machine
 from CNCStepper.nesting.manual_nesting import ManualNest, PlacedPart, filled
 from CNCStepper.nesting.nesting_model import Budget, Placement, Spacing
@@ -65,7 +66,9 @@ def answer_of(
     written = asked["verb"] == WRITE
     if written:
         _write(programs, [part.placement for part in parts], asked)
-    return {"order": packed_items(items, [sheet], spacing), "parts": rows_of(parts), "written": written}
+    faults = ManualNest(items, [sheet], spacing, parts).overlapping()
+    told = {"order": packed_items(items, [sheet], spacing), "parts": rows_of(parts)}
+    return {**told, "faults": faults, "written": written}
 
 
 def _program(told: dict[str, Any], asked: dict[str, Any]) -> Program:

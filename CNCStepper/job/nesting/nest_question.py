@@ -9,7 +9,8 @@
     fill        more of the part "item" where the sheet "sheet" has room; nothing is written
     write       the files of just these parts, judged as a whole before
 
-The answer holds the outlines (`unpacked_order`), the parts, the files of the sheets, and what has no place.
+The answer holds the outlines (`nest_data.py`), the parts, those that do not fit any more, the files of the sheets, and
+what has no place.
 """
 
 from __future__ import annotations
@@ -21,12 +22,10 @@ from pathlib import Path
 from threading import Event
 from typing import Any
 
-import shapely
-from shapely import Polygon
-
 from CNCStepper.drawing.drawing import Attributes, Chain
 from CNCStepper.errors import JobError, Text
-from CNCStepper.job.drawings.imported_drawing import packed_curves, unpacked_curves
+from CNCStepper.job.drawings.packed_curves import unpacked_curves
+from CNCStepper.job.nesting.nest_data import FILL, SEARCH, WRITE, packed_items, parts_of, rows_of
 from CNCStepper.job.nesting.nest_files import density_of, write_nest
 from CNCStepper.job.nesting.order_file import Order, OrderForm, order_of
 from CNCStepper.job.nesting.strip_process import strip_packer
@@ -34,34 +33,7 @@ from CNCStepper.machine.profile import validated
 from CNCStepper.nesting.judge import require_sound
 from CNCStepper.nesting.manual_nesting import ManualNest, PlacedPart, filled
 from CNCStepper.nesting.nest import nest
-from CNCStepper.nesting.nesting_model import Budget, Item, Layout, Placement, Sheet, Spacing, Unplaced
-
-Rows = list[list[Any]]
-SHOW, SEARCH, FILL, WRITE = "show", "search", "fill", "write"
-
-
-def packed_chains(chains: Sequence[Chain]) -> dict[str, Any]:
-    """Return the chains of a drawing as plain data."""
-    curves = packed_curves([chain.curve for chain in chains])
-    return {"curves": curves, "layers": [chain.attributes.layer for chain in chains]}
-
-
-def rows_of(parts: Sequence[PlacedPart]) -> Rows:
-    """Return placed parts as plain data: sheet, item, x, y, rotation, whether it is locked."""
-    told = [(part.placement, part.locked) for part in parts]
-    return [[at.sheet, at.item, at.x_mm, at.y_mm, at.rotation_deg, locked] for at, locked in told]
-
-
-def parts_of(rows: Rows) -> list[PlacedPart]:
-    """Return the placed parts of `rows_of`."""
-    return [PlacedPart(Placement(*place), bool(locked)) for *place, locked in rows]
-
-
-def unpacked_order(content: dict[str, Any]) -> tuple[list[Item], list[Sheet], Spacing]:
-    """Return the items, the sheets and the spacing of an answer."""
-    items = [Item(**{**each, **_polygons(each, ("outline", "exact"))}) for each in content["items"]]
-    sheets = [Sheet(**{**each, **_polygons(each, ("outline",))}) for each in content["sheets"]]
-    return [_with_tuple(item) for item in items], sheets, Spacing(**content["spacing"])
+from CNCStepper.nesting.nesting_model import Budget, Item, Layout, Placement, Unplaced
 
 
 def answer_of(
@@ -85,6 +57,7 @@ def answer_of(
     return {
         "order": packed_items(order.items, order.sheets, order.spacing),
         "parts": rows_of(parts),
+        "faults": ManualNest(order.items, order.sheets, order.spacing, parts).overlapping(),
         "written": layout is not None,
         "sheets": [str(path) for path in files if path.name.startswith("sheet-")],
         "density": density_of(order, layout) if layout is not None else 0.0,
@@ -142,41 +115,3 @@ def with_locked(items: Sequence[Item], counts: Sequence[int], locked: Sequence[P
 def _sentence(order: Order, unplaced: Unplaced) -> Text:
     name = order.items[unplaced.item].name
     return Text("{count} of {name}: {why}", count=unplaced.count, name=name, why=unplaced.why)
-
-
-def packed_items(items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spacing) -> dict[str, Any]:
-    """Return what `unpacked_order` gives, as plain data."""
-    rows = [
-        {
-            "name": item.name,
-            "outline": shapely.to_wkb(item.outline, hex=True),
-            "exact": shapely.to_wkb(item.exact, hex=True),
-            "count": item.count,
-            "rotations_deg": item.rotations_deg and list(item.rotations_deg),
-            "grain_deg": item.grain_deg,
-            "stock": item.stock,
-        }
-        for item in items
-    ]
-    plates = [
-        {
-            "name": sheet.name,
-            "outline": shapely.to_wkb(sheet.outline, hex=True),
-            "grain_deg": sheet.grain_deg,
-            "stock": sheet.stock,
-        }
-        for sheet in sheets
-    ]
-    return {
-        "items": rows,
-        "sheets": plates,
-        "spacing": {"gap_mm": spacing.gap_mm, "margin_mm": spacing.margin_mm},
-    }
-
-
-def _polygons(content: dict[str, Any], keys: Sequence[str]) -> dict[str, Polygon]:
-    return {key: shapely.from_wkb(content[key]) for key in keys}
-
-
-def _with_tuple(item: Item) -> Item:
-    return item if item.rotations_deg is None else replace(item, rotations_deg=tuple(item.rotations_deg))

@@ -18,8 +18,8 @@ from CNCStepper.drawing.chain_list import counts_of
 from CNCStepper.drawing.drawing import Chain, Drawing, Share
 from CNCStepper.errors import Place, placed
 from CNCStepper.job.cut_transfer import content_of
-from CNCStepper.job.drawings.imported_drawing import packed_curves
 from CNCStepper.job.drawings.linked_file import FileState, file_state
+from CNCStepper.job.drawings.packed_curves import packed_curves
 from CNCStepper.job.model import job_of_content
 from CNCStepper.job.templates.drawing_job import content_in_place, read_by_template
 from CNCStepper.job.templates.rules import Assignment, assigned

@@ -117,6 +117,7 @@ def _cut(
     flood, mist = job.coolant == "flood", job.coolant == "mist"
     left = isinstance(operation, TurnThread) and thread_form(operation).left
     turning: dict[str, Any] = {"spindle": "ccw" if left else "cw", "spindle_rpm": setup.rpm, "feed_mode": "per_turn"}
+    turning |= {"surface_m_min": setup.surface_m_min, "largest_rpm": setup.largest_rpm}
     table.set_state(replace(table.state, tool=setup.tool.number, flood=flood, mist=mist, **turning))
     name = operation.cycle.replace("_", " ")
     table.open_span("operation", name)
@@ -140,6 +141,7 @@ def _setups(job: TurningJob, machine: Machine) -> Iterator[tuple[TurningOperatio
         tool, profile = job.tools[operation.tool], job.curves.get(getattr(operation, "profile", ""))
         try:
             rpm = spindle_speed(operation, job, machine)
+            surface = _surface_speed(operation, job, machine, rpm)
             feed_mm_rev = _feed_mm_rev(operation, tool)
             if feed_mm_rev <= 0:
                 what, advice = "the operation has no feed", "give it or its tool a feed_mm_rev"
@@ -147,7 +149,7 @@ def _setups(job: TurningJob, machine: Machine) -> Iterator[tuple[TurningOperatio
         except CycleError as error:
             raise error.at(Place(f"operation {number} ({operation.cycle.replace('_', ' ')})")) from error
         raw = (job.stock.diameter_mm / 2, job.stock.face_mm, bore_mm)
-        yield operation, TurningSetup(tool, *raw, job.start_zr, feed_mm_rev, rpm, profile, machine)
+        yield operation, TurningSetup(tool, *raw, job.start_zr, feed_mm_rev, rpm, profile, machine, *surface)
         if isinstance(operation, TurnDrill):
             bore_mm = max(bore_mm, tool.diameter_mm)
 
@@ -159,13 +161,29 @@ def _feed_mm_rev(operation: TurningOperation, tool: TurningTool) -> float:
     return operation.feed_mm_rev or tool.feed_mm_rev
 
 
+def _surface_speed(operation: TurningOperation, job: TurningJob, machine: Machine, rpm: float) -> tuple[float, float]:
+    """Return the surface speed in m/min that an operation keeps, 0 for none, and the highest speed of the spindle.
+
+    Raises CycleError for a machine that cannot, with the fixed speed at the bar.
+    """
+    tool = job.tools[operation.tool]
+    if not operation.constant_surface_speed:
+        return 0.0, 0.0
+    if "G96" not in dialect(machine.language()).codes or machine.spindle.preset_rpm:
+        what = "the spindle of this machine does not follow X: it has no G96"
+        advice, limit = "take constant_surface_speed out, and give a fixed speed", f"spindle_rpm = {rpm:.0f}"
+        raise CycleError("surface-speed", what, value="constant_surface_speed", limit=limit, advice=advice)
+    surface = operation.surface_speed_m_min or tool.surface_speed_m_min  # spindle_speed has refused 0
+    return surface, operation.max_rpm or tool.max_rpm or machine.spindle.max_rpm
+
+
 def spindle_speed(operation: TurningOperation, job: TurningJob, machine: Machine) -> float:
     """Return the speed of an operation in rpm: its own or its tool's, or that of its surface speed at the bar.
 
     The nearest of the speeds that the machine has. Raises CycleError where there is none, with one that would do.
     """
     tool, spindle, diameter_mm = job.tools[operation.tool], machine.spindle, job.stock.diameter_mm
-    rpm = operation.spindle_rpm or tool.spindle_rpm
+    rpm = operation.spindle_rpm or tool.spindle_rpm * (not operation.constant_surface_speed)
     surface = operation.surface_speed_m_min or tool.surface_speed_m_min
     most = operation.max_rpm or tool.max_rpm or spindle.max_rpm
     if not rpm and surface:

@@ -6,7 +6,7 @@
     process = "turning"
     x_is = "diameter"               how this file gives X in points and `start`, and the program too: or "radius"
     distance = "absolute"           of the program, or "incremental"
-    canned = false                  true: threads as G76, where the controller has it
+    canned = false                  true: G70 to G72 along profiles and G76 for threads, where the controller has them
     material = "pvc"                of the materials of turning, for forces
     start = [80, 10]                x, z where the tool is when the program begins and between two tools
     [stock]                         z = 0 is the finished end face, z < 0 towards the chuck

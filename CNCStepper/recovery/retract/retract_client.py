@@ -19,6 +19,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.control.protocol.grbl.capabilities import check_can
 from CNCStepper.control.protocol.grbl.firmware import TOOL
 from CNCStepper.control.service.connection_session import ConnectionSession, attach
 from CNCStepper.control.session.client import SessionClient
@@ -43,13 +44,16 @@ class RetractClient:
         self._client.status()  # past the events of before
 
     def hold(self) -> SenderStatus:
-        """Hold the machine, if it moves, and return its status then; raises MachineRefusal where it cannot be held."""
+        """Hold the machine, if it moves, and return its status then.
+
+        Raises MachineRefusal where the machine cannot be held, or cannot go back along its cut.
+        """
         status = self._client.status()
         if not status.total:
             raise MachineRefusal("not-held", "no job runs", advice="go back along the cut while a job runs")
+        check_can("want_back", status.cannot)
         if status.phase not in (*LEG_BEGINS, DOOR):
-            self._client.hold()
-            status = self._until(lambda status: status.phase in (*LEG_BEGINS, DOOR))
+            status = self._held(status)
         if status.phase == DOOR:
             raise MachineRefusal("door-open", "the safety door is open", advice="close it and resume, then go back")
         return status
@@ -85,6 +89,18 @@ class RetractClient:
                     return
             self._check_runs()
         raise LinkError("sender-silent", "the session does not answer", advice="see its log, and the machine")
+
+    def _held(self, status: SenderStatus) -> SenderStatus:
+        """Hold a machine that moves, and return its status at standstill; raises why that is refused."""
+        self._client.hold()
+        while status.phase not in (*LEG_BEGINS, DOOR):
+            for event in self._client.poll(LOOK_EVERY_S):
+                if event["event"] == "refused" and event.get("command") == "hold":
+                    raise event["error"]
+                if event["event"] == "status":
+                    status = SenderStatus.from_json(event["status"])
+            self._check_runs()
+        return status
 
     def _until(self, reached: Callable[[SenderStatus], bool]) -> SenderStatus:
         while not reached(status := self._client.status()):
@@ -146,6 +162,7 @@ def step_aside(client: SessionClient | ConnectionSession) -> None:
     """Make a held machine idle, where it is not; raises MachineRefusal for one that moves, JobError, ProgramError."""
     status = client.status()
     if status.phase not in LEG_BEGINS:
+        check_can("hold", status.cannot)
         what = "a job runs, and the machine is not at standstill"
         raise MachineRefusal("not-held", what, value=status.phase, advice="hold it first: Ctrl-C at `cncstepper send`")
     if status.machine_state.startswith("Hold"):

@@ -66,7 +66,9 @@ def moves_of(toolpath: Toolpath, chuck_at_minus_z: bool = True) -> Moves:
         if event.kind == "synchronised" and 0 <= event.index - table.first < len(table):
             pitch[event.index - table.first] = abs(event.value)
     rapid = table.kind[row] == RAPID
-    return Moves(begin[known], end[known], row, tool, rapid, pitch[row], table.feed[row] / rpm, table.line[row])
+    per_turn = np.array([used[index].feed_mm_turn * (used[index].feed_mode == "per_turn") for index in state.tolist()])
+    feed_mm_turn = np.where(per_turn > 0, per_turn, table.feed[row] / rpm)
+    return Moves(begin[known], end[known], row, tool, rapid, pitch[row], feed_mm_turn, table.line[row])
 
 
 def _tool_offsets(toolpath: Toolpath) -> np.ndarray:

@@ -160,7 +160,7 @@ def _answer(content: dict[str, Any]) -> Answer:
         curve_fit_cache.take(content)
         return Fits()
     if "curves" in content:
-        from CNCStepper.job.drawings.imported_drawing import unpacked_curves
+        from CNCStepper.job.drawings.packed_curves import unpacked_curves
 
         return TextCurves(tuple(unpacked_curves(content["curves"])))
     if "texts" in content:

@@ -71,7 +71,7 @@ def lay_out(obj: Any, answer: dict[str, Any]) -> None:
     """Lay the drawings of the sheets side by side."""
     import FreeCAD
 
-    from CNCStepper.job.nesting.nest_question import unpacked_order
+    from CNCStepper.job.nesting.nest_data import unpacked_order
     from CNCStepper.nesting.manual_nesting import in_rows
 
     _, sheets, _ = unpacked_order(answer["order"])

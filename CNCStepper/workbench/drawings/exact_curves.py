@@ -20,7 +20,7 @@ ROUNDING_MM = 1e-9  # what FreeCAD's arcs lose is less
 
 def keep_curves(obj: Any, curves: Sequence[Curve]) -> None:
     """Keep the curves of an object, whose shape is theirs."""
-    from CNCStepper.job.drawings.imported_drawing import packed_curves
+    from CNCStepper.job.drawings.packed_curves import packed_curves
 
     if NAME not in obj.PropertiesList:
         obj.addProperty("App::PropertyString", NAME, "Base", "", 1 | 4)  # cannot be typed, is not shown
@@ -29,7 +29,7 @@ def keep_curves(obj: Any, curves: Sequence[Curve]) -> None:
 
 def all_kept(obj: Any) -> Sequence[Curve]:
     """Return the curves that an object keeps, whatever its shape is now; none where it keeps none."""
-    from CNCStepper.job.drawings.imported_drawing import unpacked_curves
+    from CNCStepper.job.drawings.packed_curves import unpacked_curves
 
     content = getattr(obj, NAME, "")
     return unpacked_curves(json.loads(content)) if content else ()

@@ -8,7 +8,7 @@ on the way. All else in the view is FreeCAD's.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from CNCStepper.errors import JobError
@@ -26,7 +26,7 @@ class PlaceMode(Mode):
     """The parts of a nest in a 3D view, until it is left.
 
     changed: called when a part has been chosen, moved or taken away. say_why: with the reason why a part may not lie
-    where it is dragged, "" where it may.
+    where it is dragged, "" where it may. faults: parts that do not fit any more, red until they are moved.
     """
 
     def __init__(
@@ -37,6 +37,7 @@ class PlaceMode(Mode):
         between_mm: float,
         changed: Callable[[], None],
         say_why: Callable[[str], None],
+        faults: Iterable[int] = (),
     ):
         import FreeCAD
 
@@ -49,7 +50,7 @@ class PlaceMode(Mode):
         self._grip: Point | None = None  # where the pointer took hold, in the document's mm
         self._turns = False
         self._wanted: Placement | None = None
-        self._faults: set[int] = set()  # parts that do not fit any more, until they are moved
+        self._faults = set(faults)
 
     def begin(self) -> None:
         """Show sheets and parts, and take the pointer."""
@@ -72,7 +73,6 @@ class PlaceMode(Mode):
         used = {part.placement.sheet for part in self.nest.parts}
         shown = sorted(used | {next((n for n in range(len(self.nest.sheets)) if n not in used), 0)})
         self._nodes.build(shown)
-        self._faults = set(self.nest.overlapping())
         if self.chosen is not None and self.chosen >= len(self.nest.parts):
             self.chosen = None
         self._colour_all()
@@ -147,6 +147,8 @@ class PlaceMode(Mode):
         if self.chosen is None or self.nest.parts[self.chosen].locked:
             return
         self.nest.remove(self.chosen)
+        left = self._faults - {self.chosen}
+        self._faults = {number - (number > self.chosen) for number in left}
         self.chosen = None
         self.refresh()
         self._changed()

@@ -16,7 +16,7 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.job.drawings.imported_drawing import unpacked_curves
+from CNCStepper.job.drawings.packed_curves import unpacked_curves
 from CNCStepper.job.templates.template_files import template_folder, template_paths, with_whole_paths, write_template
 from CNCStepper.machine.files.profile_files import SUFFIX
 from CNCStepper.machine.files.toml_reader import read_toml

@@ -6,11 +6,13 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
+from queue import SimpleQueue
 
 import pytest
 
 from CNCStepper.control.processes.python_finder import environment
 from CNCStepper.control.session.status import error_from_json
+from CNCStepper.workers.json_lines import NewestQuestion, Outdated, Questions
 
 WORKER = """
 import atexit, sys, time
@@ -71,3 +73,28 @@ def test_an_error_is_told_and_ends_it(number: int, code: str, what: str) -> None
 def test_an_error_is_the_status_though_who_hears_it_hangs_up_at_once() -> None:
     """The process is slow to end, and its own listener sees the end of the questions first."""
     assert asked(-1, held_open=False)[0] == 1
+
+
+def looked(newest: NewestQuestion) -> None:
+    """Look again, though the last look was a moment ago."""
+    newest._looked_s = 0.0
+    newest.look()
+
+
+def test_a_stop_is_for_its_own_question_and_a_newer_question_ends_the_work() -> None:
+    questions: Questions = SimpleQueue()
+    newest = NewestQuestion(questions)
+    for told in ({"mark": 1}, {"stop": 1}, {"mark": 2}):
+        questions.put(told)
+    assert newest.wait() == {"mark": 2} and not newest.stopped.is_set()
+    questions.put({"stop": 1})
+    looked(newest)
+    assert not newest.stopped.is_set()
+    questions.put({"stop": 2})
+    looked(newest)
+    assert newest.stopped.is_set()
+    questions.put({"mark": 3})
+    with pytest.raises(Outdated):
+        looked(newest)
+    questions.put({"stop": 3})
+    assert newest.wait() == {"mark": 3} and newest.stopped.is_set(), "a stop before it began counts"

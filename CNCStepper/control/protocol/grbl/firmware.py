@@ -128,6 +128,7 @@ LATHE = Firmware(
     {
         **OWN_ERRORS,
         9: Code("the lathe is in automatic mode, or locked by an alarm", SWITCH_ON_OR_UNLOCK),
+        16: Code("a jog of the lathe names one axis, X or Z, and a feed", "jog one axis after the other"),
         20: Code(GRBL_ERRORS[20].meaning, "write the program for the dialect mini-lathe"),
     },
     {number: _without_homing(code, SWITCH_ON_AGAIN) for number, code in GRBL_ALARMS.items()},

@@ -45,14 +45,13 @@ def speed(block: Block, code: Code) -> None:
 def surface_speed(block: Block, code: Code) -> None:
     """G96: S, which the line must hold, is metres (or feet) a minute at the distance X; D is the highest speed."""
     largest = abs(block.value("D")) if "D" in block.plan.slots else NO_LIMIT
-    block.model.largest_rpm = largest
-    block.model.change(surface_m_min=NO_LIMIT)  # S gives it its value
+    block.model.change(surface_m_min=NO_LIMIT, largest_rpm=largest)  # S gives it its value
     block.call(f"SET_SPINDLE_MODE(0 {largest:.4f})")
 
 
 def turning_speed(block: Block, code: Code) -> None:
     """G97: S is turns a minute from now on."""
-    block.model.change(surface_m_min=0.0)
+    block.model.change(surface_m_min=0.0, largest_rpm=0.0)
     block.call("SET_SPINDLE_MODE(0 0.0000)")
 
 

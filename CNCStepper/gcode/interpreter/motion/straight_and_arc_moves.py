@@ -71,12 +71,14 @@ def arc(block: Block, motion: int, before: int) -> None:
         end = end_point(model, plan, block.values)
         arc = arc_of(model, plan, block.values, end, motion, block.dialect)
         feed = block.feed_of(motion, end, arc, further)
+        follow_surface(block, end)
         block.move(motion, end, arc, feed, further, row=plan.moves)
         return
     work = end_in_work(block)
     arc = arc_of(model.local(), plan, block.values, work, motion, block.dialect)
     placed = arc._replace(centre=model.machine(arc.centre))
     feed = block.feed_of(motion, model.machine(work), placed, further)
+    follow_surface(block, model.machine(work))
     if compensation_codes.active(block):
         block.next_further = further
         compensated_path.arc(block, motion, work, arc, feed)

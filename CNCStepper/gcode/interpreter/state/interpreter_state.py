@@ -34,6 +34,7 @@ from CNCStepper.gcode.interpreter.state.parameters import (
 )
 from CNCStepper.gcode.syntax.material_comments import MaterialComment
 from CNCStepper.state import ZERO3, ZERO9, Start, State, ToolEntry
+from CNCStepper.tolerances import SAME_MM
 from CNCStepper.units import MM_PER_INCH
 
 
@@ -135,7 +136,6 @@ class Model:
         "further",
         "further_offset",
         "g92",
-        "largest_rpm",
         "loaded",
         "motion",
         "nurbs",
@@ -200,7 +200,6 @@ class Model:
     feed_of_file_mm_min: float
     far_plane: str
     overrides: frozenset[str]
-    largest_rpm: float
     bare: bool
     stands: Point | None
 
@@ -347,7 +346,6 @@ def _fresh_modes(model: Model, bare: bool) -> None:
     model.spline_ij = (0.0, 0.0)
     model.saved = {}
     model.overrides = frozenset(("feed", "speed", "hold"))
-    model.largest_rpm = 0.0
 
 
 def _tools(start: Start) -> dict[int, ToolEntry]:
@@ -379,4 +377,23 @@ def rpm_at(model: Model, end: Point) -> float:
         return model.state.spindle_rpm
     radius = abs(model.work(end)[0])
     rpm = model.state.surface_m_min * 1000.0 / (tau * radius) if radius else inf
-    return 0.0 if isnan(rpm) else min(rpm, model.largest_rpm)
+    return 0.0 if isnan(rpm) else min(rpm, model.state.largest_rpm)
+
+
+def mean_rpm(model: Model, end: Point) -> float:
+    """Return the speed with which a feed a turn takes as long from the tool's place to `end` as with that of G96.
+
+    Between two radii a turn takes 2 pi r / v, but no less than at the highest speed.
+    """
+    speed_mm_min, largest = model.state.surface_m_min * 1000.0, model.state.largest_rpm
+    first, last = model.work(model.position)[0], model.work(end)[0]
+    if not speed_mm_min or largest <= 0.0 or isnan(first) or isnan(last) or abs(last - first) < SAME_MM:
+        return rpm_at(model, end)
+    slow_mm = speed_mm_min / (tau * largest)  # the radius below which the highest speed counts
+
+    def turned(radius: float) -> float:
+        least = min(abs(radius), slow_mm)
+        rest = tau / speed_mm_min * (radius * radius - least * least) / 2.0
+        return (least / largest + rest) * (1.0 if radius >= 0.0 else -1.0)
+
+    return abs((last - first) / (turned(last) - turned(first)))

@@ -210,7 +210,7 @@ def _part_row(part: Any, number: int, wanted: PartValues) -> dict[str, Any]:
 def packed_drawing(part: Any) -> dict[str, Any]:
     """Return the lines of a part as plain data, moved so that its box begins at 0, 0; raises GeometryError."""
     from CNCStepper.drawing.drawing import Attributes, Chain
-    from CNCStepper.job.nesting.nest_question import packed_chains
+    from CNCStepper.job.nesting.nest_data import packed_chains
     from CNCStepper.workbench.drawings.joined_curves import drawn_of
 
     found = drawn_of(pairs_of(part), TOLERANCE_MM).curves

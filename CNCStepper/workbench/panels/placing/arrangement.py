@@ -9,7 +9,7 @@ from typing import Any
 
 from PySide import QtGui
 
-from CNCStepper.job.nesting import nest_question
+from CNCStepper.job.nesting import nest_data
 from CNCStepper.workbench.document.arrange_files import Arranging
 from CNCStepper.workbench.features.programs.arrangement import (
     MADE,
@@ -66,7 +66,7 @@ class ArrangementPanel(PlacingPanel):
             editor.form.add_widget(MADE, widget)
         self.fill_table()
         if obj.MadeOf or json.loads(obj.Placements):
-            self.ask(nest_question.SHOW)
+            self.ask(nest_data.SHOW)
 
     def fill_table(self) -> None:
         """Show the programs of the object."""
@@ -113,18 +113,18 @@ class ArrangementPanel(PlacingPanel):
         self.editor.apply()
         self.take_table()
         if not self.editor.refused:
-            self.ask(nest_question.SEARCH)
+            self.ask(nest_data.SEARCH)
 
     def fill(self) -> None:
         """Fill the work surface with more of the marked program, or the first."""
-        self.ask(nest_question.FILL, item=max(self.table.currentRow(), 0))
+        self.ask(nest_data.FILL, item=max(self.table.currentRow(), 0))
 
     def write(self) -> None:
         """Write the program of the copies as they lie."""
         self.editor.apply()
         self.take_table()
         if not self.editor.refused:
-            self.ask(nest_question.WRITE if self.rows() else nest_question.SEARCH)
+            self.ask(nest_data.WRITE if self.rows() else nest_data.SEARCH)
 
     def ask(self, verb: str, **more: Any) -> None:
         """Ask the process; what it is about the copies lie as they are shown."""
@@ -139,7 +139,7 @@ class ArrangementPanel(PlacingPanel):
         answer = work.answer
         self.unwritten = not answer["written"] and answer["parts"] != self.rows_written()
         self._raise_counts(answer)
-        self.show_nest(*nest_question.unpacked_order(answer["order"]), nest_question.parts_of(answer["parts"]))
+        self.show_nest(answer)
         super().done()
 
     def accept(self) -> bool:
@@ -156,7 +156,7 @@ class ArrangementPanel(PlacingPanel):
 
     def rows(self) -> list[list[Any]]:
         """Return the copies as plain data."""
-        return nest_question.rows_of(self.nest.parts) if self.nest is not None else []
+        return nest_data.rows_of(self.nest.parts) if self.nest is not None else []
 
     def rows_written(self) -> list[list[Any]]:
         """Return the copies as the object has them."""

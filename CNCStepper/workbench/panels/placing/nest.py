@@ -11,7 +11,7 @@ from PySide import QtGui
 
 from CNCStepper import text_json
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.job.nesting import nest_question
+from CNCStepper.job.nesting import nest_data
 from CNCStepper.nesting.nesting_model import MOST_PARTS
 from CNCStepper.workbench.document.nest_files import BETWEEN_SHEETS_MM, Nesting
 from CNCStepper.workbench.features.drawings.nest import (
@@ -79,7 +79,7 @@ class NestPanel(PlacingPanel):
         self.fill_table()
         self.refresh_report()
         if obj.MadeOf:
-            self.ask(nest_question.SHOW)
+            self.ask(nest_data.SHOW)
 
     def fill_table(self) -> None:
         """Show the parts of the object."""
@@ -133,7 +133,7 @@ class NestPanel(PlacingPanel):
         self.editor.apply()
         self.take_table()
         if not self.editor.refused:
-            self.ask(nest_question.SEARCH)
+            self.ask(nest_data.SEARCH)
 
     def stop(self) -> None:
         """End the search with the best so far."""
@@ -150,7 +150,7 @@ class NestPanel(PlacingPanel):
         item = self.table.currentRow()
         if item < 0:
             item = 0 if chosen is None else self.nest.parts[chosen].placement.item
-        self.ask(nest_question.FILL, item=item, sheet=sheet, time_s=FILL_S)
+        self.ask(nest_data.FILL, item=item, sheet=sheet, time_s=FILL_S)
 
     def ask(self, verb: str, **more: Any) -> None:
         """Ask the process; what it is about the parts lie as they are shown."""
@@ -167,7 +167,7 @@ class NestPanel(PlacingPanel):
         self.unwritten = answer["parts"] != self.rows_written()
         self._raise_counts(answer)
         self.leave_mode()
-        self.show_nest(*nest_question.unpacked_order(answer["order"]), nest_question.parts_of(answer["parts"]))
+        self.show_nest(answer)
         super().done()
 
     def _raise_counts(self, answer: dict[str, Any]) -> None:
@@ -191,7 +191,7 @@ class NestPanel(PlacingPanel):
         if self.work is None and not self.editor.refused and self.obj.Parts:
             if self.nest is not None and self.unwritten:
                 self.take_table()
-                self.ask(nest_question.WRITE)
+                self.ask(nest_data.WRITE)
             elif is_stale(self.obj):
                 self.search()
         return super().accept()
@@ -207,7 +207,7 @@ class NestPanel(PlacingPanel):
 
     def rows(self) -> list[list[Any]]:
         """Return the parts as plain data."""
-        return nest_question.rows_of(self.nest.parts) if self.nest is not None else []
+        return nest_data.rows_of(self.nest.parts) if self.nest is not None else []
 
     def rows_written(self) -> list[list[Any]]:
         """Return the parts as the object has them."""

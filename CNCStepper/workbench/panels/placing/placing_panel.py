@@ -7,14 +7,13 @@ table, values ──► work beside the window ──► ManualNest ──► Pl
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from PySide import QtGui
 
 from CNCStepper.errors import JobError
-from CNCStepper.nesting.manual_nesting import ManualNest, PlacedPart
-from CNCStepper.nesting.nesting_model import Item, Sheet, Spacing
+from CNCStepper.job.nesting import nest_data
+from CNCStepper.nesting.manual_nesting import ManualNest
 from CNCStepper.workbench.panels.background_panel import BackgroundPanel, button_row
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WorkNote, note_label
 from CNCStepper.workbench.panels.object_form import Editor
@@ -55,16 +54,16 @@ class PlacingPanel(BackgroundPanel):
         """Fill a sheet with more of one row of the table."""
         raise NotImplementedError
 
-    def show_nest(
-        self, items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spacing, parts: Sequence[PlacedPart]
-    ) -> None:
-        """Show parts on sheets in the 3D view of the document, ready for the mouse."""
+    def show_nest(self, answer: dict[str, Any]) -> None:
+        """Show the parts of an answer on their sheets in the 3D view of the document, ready for the mouse."""
+        items, sheets, spacing = nest_data.unpacked_order(answer["order"])
         self.leave_mode()
-        self.nest = ManualNest(items, sheets, spacing, parts)
+        self.nest = ManualNest(items, sheets, spacing, nest_data.parts_of(answer["parts"]))
         view = _view_of(self.document)
         if view is not None:
             self._hide_drawings()
-            self.mode = PlaceMode(view, self.obj.Document, self.nest, self.BETWEEN_MM, self.on_changed, self.say_why)
+            calls = (self.on_changed, self.say_why)
+            self.mode = PlaceMode(view, self.obj.Document, self.nest, self.BETWEEN_MM, *calls, answer["faults"])
             self.mode.begin()
         self.show_state()
 

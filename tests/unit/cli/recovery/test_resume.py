@@ -136,6 +136,15 @@ def test_where_nothing_is_left_to_cut_no_restart_is_needed(tmp_path, program):
     assert text.endswith("none is needed: from there on the program cuts nothing\n")
 
 
+def test_a_program_of_the_lathe_is_sent_whole_again(tmp_path, program):
+    records = "G01 X-1. F1. #\n" + "Z-1. #\nZ1. #\n" * 50
+    program.write_text(records, "utf-8")
+    lathe = {"dialect": "mini-lathe", "machine": "Mini-lathe", "homing": False}
+    text = told(tmp_path, file=str(program), program_sha256=digest_of_text(records), **lathe)
+    assert "no entry in its middle: switch the lathe off and on" in text
+    assert "cncstepper send " in text and "cncstepper restart" not in text
+
+
 def test_damage_is_told(tmp_path, program):
     file = journal(tmp_path, file=str(program))
     file.append(GROUP.to_content())

@@ -7,6 +7,7 @@ import random
 
 import pytest
 
+from CNCStepper.control.protocol.grbl.firmware import LATHE
 from helpers.controllers.lathe_judge import LatheBench
 
 STEP_MM = 1 / 80
@@ -125,6 +126,10 @@ def test_another_way_waits_for_the_release() -> None:
 def test_a_jog_that_the_lathe_cannot_make_is_refused(line: str, error: int) -> None:
     bench = LatheBench()
     assert f"error:{error}\r\n" in bench.send(f"$J=G91{line}\n") and bench.judge.sent == b""
+
+
+def test_why_a_diagonal_jog_is_refused_is_said_in_the_lathes_own_words() -> None:
+    assert "one axis, X or Z" in LATHE.error(16).meaning
 
 
 def test_a_feed_beyond_the_motors_start_is_the_slower_one_and_said() -> None:

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 from CNCStepper.cli.main import group
 from CNCStepper.errors import JobError
 from CNCStepper.job.editing.arrange_question import answer_of
-from CNCStepper.job.nesting.nest_question import unpacked_order
+from CNCStepper.job.nesting.nest_data import unpacked_order
 
 SQUARE = "G21 G90 G17\nM3 S1000\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F200\nG1 X20 F600\nG1 Y10\nG1 X0\nG1 Y0\nG0 Z5\nM5\nM2\n"
 RING = "G21 G90 G17\nM3 S1000\nG0 Z5\nG0 X8 Y0\nG1 Z-1 F200\nG2 X8 Y0 I-8 J0 F500\nG0 Z5\nM5\nM2\n"

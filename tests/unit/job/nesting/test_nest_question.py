@@ -14,7 +14,8 @@ from CNCStepper.drawing.drawing import Attributes, Chain
 from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
 from CNCStepper.errors import CNCStepperError, GeometryError
 from CNCStepper.geometry.curve import circle, from_points
-from CNCStepper.job.nesting.nest_question import answer_of, packed_chains, parts_of, unpacked_order
+from CNCStepper.job.nesting.nest_data import packed_chains, parts_of, unpacked_order
+from CNCStepper.job.nesting.nest_question import answer_of
 
 PLATE = [
     Chain(from_points([(0, 0), (60, 0), (60, 40), (0, 40)], closed=True), Attributes(layer="OUT")),
@@ -69,6 +70,7 @@ def test_filling_adds_parts_and_writing_judges_the_whole(tmp_path: Path) -> None
     with pytest.raises(GeometryError, match=r"too close|beyond"):
         answer_of(asked("write", tmp_path / "bad", moved))
     assert not (tmp_path / "bad").exists()
+    assert written["faults"] == [] and 1 in answer_of(asked("show", tmp_path / "bad", moved))["faults"]
 
 
 def test_a_stopped_search_gives_what_it_has(tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from CNCStepper.errors import JobError
 from CNCStepper.job.cut_transfer import job_from_content
-from CNCStepper.job.drawings.imported_drawing import unpacked_curves
+from CNCStepper.job.drawings.packed_curves import unpacked_curves
 from CNCStepper.job.templates.drawing_job import job_of_drawing
 from CNCStepper.job.templates.template import read_template
 from CNCStepper.job.templates.template_answer import template_answer
