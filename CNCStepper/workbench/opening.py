@@ -9,15 +9,20 @@ from CNCStepper.workbench import commands, dock, first_run
 from CNCStepper.workbench.installation import open_installation
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.messages import NAME, guarded
+from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP
 from CNCStepper.workbench.viewproviders import tree_tooltips
+
+LATHE = QT_TRANSLATE_NOOP("Workbench", "Lathe")  # FreeCAD translates names of toolbars and menus itself
 
 
 @guarded
 def first(workbench: Any) -> None:
     """Fill the workbench's toolbar and menu."""
-    toolbar, menu = commands.register()
+    toolbar, menu, turning = commands.register()
     workbench.appendToolbar(NAME, toolbar)
+    workbench.appendToolbar(LATHE, turning)
     workbench.appendMenu(NAME, menu)
+    workbench.appendMenu([NAME, LATHE], turning)
     tree_tooltips.install()
 
 

@@ -228,6 +228,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bar length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Before zero</source>
             <translation type="unfinished"></translation>
         </message>
@@ -601,6 +605,10 @@
         </message>
         <message>
             <source>Depth to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Designation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2672,6 +2680,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Start position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Starts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3277,6 +3289,10 @@
         </message>
         <message>
             <source>Thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thread length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3899,6 +3915,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A profile needs two points or more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A profile's file…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4340,6 +4360,10 @@
         </message>
         <message>
             <source>Bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bar length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4920,6 +4944,10 @@
         </message>
         <message>
             <source>Depth to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Designation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5855,6 +5883,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Groove</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Group</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6659,6 +6691,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Lathe job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Layer</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7183,6 +7219,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>New lathe job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>New machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7583,6 +7623,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Parting off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7832,6 +7876,10 @@
         </message>
         <message>
             <source>Profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Profile by points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8228,6 +8276,10 @@
         </message>
         <message>
             <source>Rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Roughing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8676,6 +8728,10 @@
         </message>
         <message>
             <source>Start angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start position</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9707,6 +9763,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thread length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Three quarters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10336,6 +10396,10 @@
         </message>
         <message>
             <source>X; Z of each point from the end face to the chuck; then chamfer, fillet, cw or ccw</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X; Z; chamfer 1 – one point a line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11919,10 +11983,6 @@
         </message>
         <message>
             <source>'{drawing}' is a solid</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>'{drawing}' is no profile by points</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17011,10 +17071,6 @@
         </message>
         <message>
             <source>make Q larger</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>make a profile by points and choose that</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25224,6 +25280,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_NewLatheJob</name>
+        <message>
+            <source>Makes a job of a lathe with a bar in its chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New lathe job</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_OpenJob</name>
         <message>
             <source>Open job…</source>
@@ -25356,6 +25423,105 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_TurnBore</name>
+        <message>
+            <source>Roughs the selected half profile out of a hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnDrill</name>
+        <message>
+            <source>Drill on the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drills into the end face on the axis, with pecks</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnFace</name>
+        <message>
+            <source>Turn face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turns the raw end flat, down to Z = 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnFinish</name>
+        <message>
+            <source>Follows the selected half profile in one pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnGroove</name>
+        <message>
+            <source>Cuts a groove with parallel walls</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn groove</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnPart</name>
+        <message>
+            <source>Cuts the part off the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part off</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnRough</name>
+        <message>
+            <source>Roughs the selected half profile out of the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn roughing</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnThread</name>
+        <message>
+            <source>Cuts a thread by its designation, outside or inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurningProfile</name>
+        <message>
+            <source>Makes a half profile from points, chamfers and arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Profile by points</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_WireCut</name>
         <message>
             <source>Cuts parts out of foam with a hot wire, in from the edge</source>
@@ -25363,6 +25529,13 @@
         </message>
         <message>
             <source>Wire cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>Workbench</name>
+        <message>
+            <source>Lathe</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -228,6 +228,10 @@
             <translation>Haste</translation>
         </message>
         <message>
+            <source>Bar length</source>
+            <translation>Comprimento da barra</translation>
+        </message>
+        <message>
             <source>Before zero</source>
             <translation>Antes do zero</translation>
         </message>
@@ -602,6 +606,10 @@
         <message>
             <source>Depth to</source>
             <translation>Profundidade até</translation>
+        </message>
+        <message>
+            <source>Designation</source>
+            <translation>Designação</translation>
         </message>
         <message>
             <source>Dialect</source>
@@ -2672,6 +2680,10 @@
             <translation>Ângulo inicial</translation>
         </message>
         <message>
+            <source>Start position</source>
+            <translation>Posição inicial</translation>
+        </message>
+        <message>
             <source>Starts</source>
             <translation>Entradas</translation>
         </message>
@@ -3278,6 +3290,10 @@
         <message>
             <source>Thread</source>
             <translation>Rosquear</translation>
+        </message>
+        <message>
+            <source>Thread length</source>
+            <translation>Comprimento da rosca</translation>
         </message>
         <message>
             <source>Threshold</source>
@@ -3899,6 +3915,10 @@
             <translation>Um polígono de lados iguais em torno do zero, um lado embaixo; o tamanho é entre faces.</translation>
         </message>
         <message>
+            <source>A profile needs two points or more</source>
+            <translation>Um perfil precisa de dois pontos ou mais</translation>
+        </message>
+        <message>
             <source>A profile's file…</source>
             <translation>Arquivo de perfil…</translation>
         </message>
@@ -4341,6 +4361,10 @@
         <message>
             <source>Bar</source>
             <translation>Haste</translation>
+        </message>
+        <message>
+            <source>Bar length</source>
+            <translation>Comprimento da barra</translation>
         </message>
         <message>
             <source>Base</source>
@@ -4921,6 +4945,10 @@
         <message>
             <source>Depth to</source>
             <translation>Profundidade até</translation>
+        </message>
+        <message>
+            <source>Designation</source>
+            <translation>Designação</translation>
         </message>
         <message>
             <source>Details</source>
@@ -5855,6 +5883,10 @@
             <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
         </message>
         <message>
+            <source>Groove</source>
+            <translation>Canal</translation>
+        </message>
+        <message>
             <source>Group</source>
             <translation>Grupo</translation>
         </message>
@@ -6659,6 +6691,10 @@
             <translation>Depois</translation>
         </message>
         <message>
+            <source>Lathe job</source>
+            <translation>Trabalho de torno</translation>
+        </message>
+        <message>
             <source>Layer</source>
             <translation>Camada</translation>
         </message>
@@ -7183,6 +7219,10 @@
             <translation>Novo trabalho</translation>
         </message>
         <message>
+            <source>New lathe job</source>
+            <translation>Novo trabalho de torno</translation>
+        </message>
+        <message>
             <source>New machine</source>
             <translation>Nova máquina</translation>
         </message>
@@ -7583,6 +7623,10 @@
             <translation>Paralelogramo</translation>
         </message>
         <message>
+            <source>Parting off</source>
+            <translation>Sangramento</translation>
+        </message>
+        <message>
             <source>Parts</source>
             <translation>Peças</translation>
         </message>
@@ -7833,6 +7877,10 @@
         <message>
             <source>Profile</source>
             <translation>Perfil</translation>
+        </message>
+        <message>
+            <source>Profile by points</source>
+            <translation>Perfil por pontos</translation>
         </message>
         <message>
             <source>Profiles (*.toml)</source>
@@ -8229,6 +8277,10 @@
         <message>
             <source>Rotation</source>
             <translation>Rotação</translation>
+        </message>
+        <message>
+            <source>Roughing</source>
+            <translation>Desbaste</translation>
         </message>
         <message>
             <source>Round shapes</source>
@@ -8677,6 +8729,10 @@
         <message>
             <source>Start angle</source>
             <translation>Ângulo inicial</translation>
+        </message>
+        <message>
+            <source>Start position</source>
+            <translation>Posição inicial</translation>
         </message>
         <message>
             <source>Start/stop wait</source>
@@ -9707,6 +9763,10 @@
             <translation>Rosquear</translation>
         </message>
         <message>
+            <source>Thread length</source>
+            <translation>Comprimento da rosca</translation>
+        </message>
+        <message>
             <source>Three quarters</source>
             <translation>Três quartos</translation>
         </message>
@@ -10337,6 +10397,10 @@
         <message>
             <source>X; Z of each point from the end face to the chuck; then chamfer, fillet, cw or ccw</source>
             <translation>X; Z de cada ponto, da face até a placa; depois chamfer, fillet, cw ou ccw</translation>
+        </message>
+        <message>
+            <source>X; Z; chamfer 1 – one point a line</source>
+            <translation>X; Z; chamfer 1 – um ponto por linha</translation>
         </message>
         <message>
             <source>XPS foam</source>
@@ -11920,10 +11984,6 @@
         <message>
             <source>'{drawing}' is a solid</source>
             <translation>'{drawing}' é um sólido</translation>
-        </message>
-        <message>
-            <source>'{drawing}' is no profile by points</source>
-            <translation>'{drawing}' não é um perfil por pontos</translation>
         </message>
         <message>
             <source>'{drawing}' is one more drawing beside '{used}', and only one gives the shape</source>
@@ -17012,10 +17072,6 @@
         <message>
             <source>make Q larger</source>
             <translation>aumente Q</translation>
-        </message>
-        <message>
-            <source>make a profile by points and choose that</source>
-            <translation>faça um perfil por pontos e escolha-o</translation>
         </message>
         <message>
             <source>make a profile of your own from it: cncstepper machine new NAME --from FILE</source>
@@ -25224,6 +25280,17 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_NewLatheJob</name>
+        <message>
+            <source>Makes a job of a lathe with a bar in its chuck</source>
+            <translation>Faz um trabalho de torno com uma barra na placa</translation>
+        </message>
+        <message>
+            <source>New lathe job</source>
+            <translation>Novo trabalho de torno</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_OpenJob</name>
         <message>
             <source>Open job…</source>
@@ -25356,6 +25423,105 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper_TurnBore</name>
+        <message>
+            <source>Roughs the selected half profile out of a hole</source>
+            <translation>Desbasta o meio perfil selecionado num furo</translation>
+        </message>
+        <message>
+            <source>Turn bore</source>
+            <translation>Mandrilar no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnDrill</name>
+        <message>
+            <source>Drill on the axis</source>
+            <translation>Furar no eixo</translation>
+        </message>
+        <message>
+            <source>Drills into the end face on the axis, with pecks</source>
+            <translation>Fura a face no eixo, com bicadas</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnFace</name>
+        <message>
+            <source>Turn face</source>
+            <translation>Facear no torno</translation>
+        </message>
+        <message>
+            <source>Turns the raw end flat, down to Z = 0</source>
+            <translation>Faceia a ponta bruta até Z = 0</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnFinish</name>
+        <message>
+            <source>Follows the selected half profile in one pass</source>
+            <translation>Segue o meio perfil selecionado num só passe</translation>
+        </message>
+        <message>
+            <source>Turn finishing</source>
+            <translation>Acabamento no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnGroove</name>
+        <message>
+            <source>Cuts a groove with parallel walls</source>
+            <translation>Corta um canal de paredes paralelas</translation>
+        </message>
+        <message>
+            <source>Turn groove</source>
+            <translation>Canal no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnPart</name>
+        <message>
+            <source>Cuts the part off the bar</source>
+            <translation>Corta a peça da barra</translation>
+        </message>
+        <message>
+            <source>Part off</source>
+            <translation>Sangrar</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnRough</name>
+        <message>
+            <source>Roughs the selected half profile out of the bar</source>
+            <translation>Desbasta o meio perfil selecionado na barra</translation>
+        </message>
+        <message>
+            <source>Turn roughing</source>
+            <translation>Desbaste no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnThread</name>
+        <message>
+            <source>Cuts a thread by its designation, outside or inside</source>
+            <translation>Corta uma rosca por sua designação, externa ou interna</translation>
+        </message>
+        <message>
+            <source>Turn thread</source>
+            <translation>Rosca no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurningProfile</name>
+        <message>
+            <source>Makes a half profile from points, chamfers and arcs</source>
+            <translation>Faz um meio perfil de pontos, chanfros e arcos</translation>
+        </message>
+        <message>
+            <source>Profile by points</source>
+            <translation>Perfil por pontos</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_WireCut</name>
         <message>
             <source>Cuts parts out of foam with a hot wire, in from the edge</source>
@@ -25364,6 +25530,13 @@
         <message>
             <source>Wire cut</source>
             <translation>Corte com fio</translation>
+        </message>
+    </context>
+    <context>
+        <name>Workbench</name>
+        <message>
+            <source>Lathe</source>
+            <translation>Torno</translation>
         </message>
     </context>
 </TS>

@@ -135,11 +135,11 @@ class TurnThreadParameters(TurningParameters):
 
     cycle: Literal["turn_thread"]
     thread: Annotated[
-        str, Parameter(CUT, "Thread", "Its designation: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4", "M20x1.5")
+        str, Parameter(CUT, "Designation", "Its designation: M20x2.5, 1/2-13 UNC, G1/2, Tr20x4", "M20x1.5")
     ]  # fmt: skip
     profile: str = ""
     z_mm: Annotated[Coordinate, Parameter(CUT, "From Z", "Where the thread begins", name="FromZ")] = 0.0
-    length_mm: Annotated[Width, Parameter(CUT, "Length", "From there towards the chuck", 20.0)]
+    length_mm: Annotated[Width, Parameter(CUT, "Thread length", "From there towards the chuck", 20.0)]
     diameter_mm: Annotated[
         WidthOr0, Parameter(CUT, "Crest diameter", "Where it begins; 0: that of the profile or the usual fit")
     ] = 0.0

@@ -174,16 +174,6 @@ def _cut_corner(corner: Corner, before: np.ndarray, at: np.ndarray, after: np.nd
     return at + units[0] * leg_mm, at + units[1] * leg_mm, bulge
 
 
-def arc_row(begin: np.ndarray, end: np.ndarray, bulge: float, scale: float) -> Row:
-    """Return the row that reaches `end` from `begin`, both in (z, r), by an arc of that bulge; scale: of X by r."""
-    (z, r), chord = end.tolist(), end - begin
-    if bulge == 0.0:
-        return (r * scale, z)
-    middle = (begin + end) / 2 + np.array([-chord[1], chord[0]]) * ((1 - bulge**2) / (4 * bulge))
-    centre = (float(middle[1]) * scale, float(middle[0]))
-    return Corner(to=(r * scale, z), arc="ccw" if bulge > 0 else "cw", centre=centre)
-
-
 def _bulge(corner: Corner, begin: np.ndarray, end: np.ndarray, scale: float) -> float:
     """Return the bulge of the way to a corner."""
     if corner.arc is None:

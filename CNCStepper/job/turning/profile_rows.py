@@ -16,8 +16,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from CNCStepper.errors import JobError, Place, Text, placed
-from CNCStepper.geometry.curve import Curve
-from CNCStepper.job.turning.profile_form import Corner, Row, Xis, arc_row
+from CNCStepper.job.turning.profile_form import Corner
 
 NUMBER = r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
 WORDS = (
@@ -61,9 +60,15 @@ def _more(part: str, line: str) -> dict[str, Any]:
     raise JobError("profile-row", what, advice=advice)
 
 
-def lines_of(rows: Iterable[Row]) -> list[str]:
-    """Return rows as lines of text, with all digits."""
-    return [_line(row if isinstance(row, Corner) else Corner(to=row)) for row in rows]
+def lines_of(rows: Iterable[Any]) -> list[str]:
+    """Return rows, as a job file has them or checked, as lines of text with all digits."""
+    return [_line(_corner(row)) for row in rows]
+
+
+def _corner(row: Any) -> Corner:
+    if isinstance(row, Corner):
+        return row
+    return Corner(**row) if isinstance(row, dict) else Corner(to=row)
 
 
 def _line(row: Corner) -> str:
@@ -79,14 +84,6 @@ def _line(row: Corner) -> str:
 
 def _number(value: float) -> str:
     return repr(value).removesuffix(".0")
-
-
-def rows_of_curve(chain: Curve, x_is: Xis) -> list[Row]:
-    """Return a chain in (z, r) as rows: its points, and arcs by their centres."""
-    scale = 2.0 if x_is == "diameter" else 1.0
-    pieces = zip(chain.xy[:-1], chain.xy[1:], chain.bulge.tolist(), strict=True)
-    z, r = chain.xy[0].tolist()
-    return [(r * scale, z), *(arc_row(*piece, scale) for piece in pieces)]
 
 
 def in_x(content: Iterable[Any], factor: float) -> list[Any]:

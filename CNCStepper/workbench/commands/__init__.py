@@ -11,8 +11,8 @@ from CNCStepper.workbench.services.command import Command
 SEPARATOR = "Separator"  # FreeCAD's word for it
 
 
-def register() -> tuple[list[str], list[str]]:
-    """Make the commands known to FreeCAD and return the names of the toolbar and of the menu, with separators.
+def register() -> tuple[list[str], list[str], list[str]]:
+    """Make the commands known to FreeCAD; return the names of toolbar and menu, with separators, and the lathe's.
 
     What only serves the selected operations stands in the menu and in the tree.
     """
@@ -28,16 +28,19 @@ def register() -> tuple[list[str], list[str]]:
     from CNCStepper.workbench.commands.packages import Install
     from CNCStepper.workbench.commands.program import Arrange, Controller, EditProgram, OpenProgram, Send, Simulate
     from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING
+    from CNCStepper.workbench.commands.turning import COMMANDS as TURNING
 
     drawing = (NewJob(), ImportTools(), ImportDrawing(), Template(), Text(), Shapes(), Slice(), Nest(), Freehand())
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
     sheets = _made(operations.SHEETS)
     machine = (EditProgram(), OpenProgram(), Arrange(), Simulate(), Send(), Controller(), Machines(), Letters())
     order, files, setting_up = _made(ORDERING), (OpenJob(), ExportJob()), (FirstSteps(), Install())
-    for command in (*drawing, *areas, *lines_and_holes, *sheets, *order, *machine, *files, *setting_up):
+    turning = _made(TURNING)
+    for command in (*drawing, *areas, *lines_and_holes, *sheets, *turning, *order, *machine, *files, *setting_up):
         FreeCADGui.addCommand(command.name, command)
     kinds = (drawing, areas, lines_and_holes, sheets)
-    return _names(*kinds, machine), _names(*kinds, order, machine, files, setting_up)
+    menu = _names(*kinds, order, machine, files, setting_up)
+    return _names(*kinds, machine), menu, _names(turning)
 
 
 def _made(kinds: Iterable[type[Command]]) -> tuple[Command, ...]:

@@ -109,11 +109,15 @@ class Operation(Command):
         found = selected_drawings(operation_class(self.cycle), pairs)
         if is_drawn:
             found.require()
-        tool = tool_for(job)
+        tool = self.tool(job)
         values = self.values(job, tool, bool(found.used))
         operation = api.add_operation(job, self.cycle, tool=tool, drawings=found.used, **values)
         operation.Proxy.unused = found.refusals
         return labelled(operation, tr(self.label))
+
+    def tool(self, job: Any) -> Any:
+        """Return the tool with which it begins."""
+        return tool_for(job)
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return the values with which the operation begins, by key."""

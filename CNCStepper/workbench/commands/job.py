@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench.commands.create_object import create, labelled
 from CNCStepper.workbench.document import default_values, targets
 from CNCStepper.workbench.services import missing_packages
@@ -63,7 +64,8 @@ class ImportTools(Command):
 
     def why_not(self) -> str:
         """Return why there is no job to add tools to."""
-        return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
+        no_job = missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
+        return no_job or targets.why_not_by_process(tuple(PROCESSES))
 
     def run(self) -> None:
         """Ask for the file."""

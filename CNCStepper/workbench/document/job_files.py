@@ -17,7 +17,7 @@ import numpy as np
 from CNCStepper.errors import CNCStepperError, JobError, Place, Text
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.document.turning_files import export_turning_job, open_turning_job
+from CNCStepper.workbench.document.turning.turning_files import export_turning_job, open_turning_job
 from CNCStepper.workbench.drawings.exact_curves import ROUNDING_MM
 from CNCStepper.workbench.features.base import LATHE_JOB, edit, proxy_type
 from CNCStepper.workbench.features.catalogue import operation_class

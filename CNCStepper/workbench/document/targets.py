@@ -79,7 +79,7 @@ def why_not_by_process(by: tuple[str, ...]) -> str:
     if present is None or present.Process in by:
         return ""
     return tr("This is cut by: {0}. The job's process is: {1}").format(
-        ", ".join(map(words_of, by)), words_of(present.Process)
+        ", ".join(words_of(each, "process") for each in by), words_of(present.Process, "process")
     )
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from CNCStepper.cycles.parameter import FINISH, LEADS, PATH, TABS
 from CNCStepper.cycles.sheet_cutting.sheet_parameters import RULES
 from CNCStepper.job.shape_forms.text_parameters import SETTING
-from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.features.base import JOB, LATHE_JOB, proxy_type
 from CNCStepper.workbench.features.drawings.drawing import REPAIR
 from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.features.tool import FORM, LIMITS
@@ -23,6 +23,7 @@ RARE = (FINISH, PATH, TABS, LEADS, RULES)  # groups of operations
 FREEHAND = "CNCStepper_Freehand"
 DRAWING = "CNCStepper_Drawing"
 SLICES = "CNCStepper_Slices"
+PROFILE = "CNCStepper_TurningProfile"
 NEST = "CNCStepper_Nest"
 ARRANGEMENT = "CNCStepper_Arrangement"
 OUTLINES = ("CNCStepper_Text", "CNCStepper_Shape")
@@ -36,6 +37,10 @@ def panel_of(obj: Any) -> Panel:
         from CNCStepper.workbench.panels.job import JobPanel
 
         return JobPanel(obj)
+    if name in (LATHE_JOB, PROFILE) or obj.Proxy.JOB_TYPE == LATHE_JOB:
+        from CNCStepper.workbench.panels.turning import turning_panel
+
+        return turning_panel(obj)
     folded = RARE if isinstance(obj.Proxy, Operation) else (FORM, LIMITS)
     drawings = DrawingField if getattr(obj.Proxy, "SHAPE", ()) else DrawingsField
     if name == DRAWING:

@@ -10,7 +10,7 @@ from typing import Any
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.quantities import ERROR_TYPE
 from CNCStepper.workbench.document.input_limits import limits_passed
-from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.features.base import JOB, LATHE_JOB, proxy_type
 from CNCStepper.workbench.features.cycle_operation import LINKS, jobs_of
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.services.translation import later
@@ -52,6 +52,14 @@ def model_of_type(obj: Any) -> Any:
         from CNCStepper.job.model import Job
 
         return Job
+    if proxy_type(obj) == LATHE_JOB:
+        from CNCStepper.job.turning.turning_job import TurningJob
+
+        return TurningJob
+    if proxy_type(obj) == "CNCStepper_TurningTool":
+        from CNCStepper.machine.tools.turning_tool import TurningTool
+
+        return TurningTool
     if proxy_type(obj) == "CNCStepper_Drawing":
         from CNCStepper.job.shape_forms.drawing_form import DrawingForm
 
@@ -74,6 +82,10 @@ def model_of_type(obj: Any) -> Any:
         return ArrangeForm
     if not getattr(obj.Proxy, "CYCLE", ""):
         return None
+    if obj.Proxy.JOB_TYPE == LATHE_JOB:
+        from CNCStepper.cycles.turning.turning_operation import turning_operation_class
+
+        return turning_operation_class(obj.Proxy.CYCLE)
     from CNCStepper.cycles.catalogue import cycle_class
 
     return cycle_class(obj.Proxy.CYCLE)
@@ -159,7 +171,8 @@ def stock_warnings(obj: Any) -> list[str]:
 
     None for what is no operation, belongs to no job, or is refused for another reason, which its panel says.
     """
-    jobs = jobs_of(obj) if getattr(obj.Proxy, "CYCLE", "") else []
+    is_milled = getattr(obj.Proxy, "CYCLE", "") and obj.Proxy.JOB_TYPE == JOB
+    jobs = jobs_of(obj) if is_milled else []
     if not jobs:
         return []
     from CNCStepper.job.stock_fit import stock_findings

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The task panel of a job: its own values, its clamps, its operations, and its tools with the marked one below."""
+"""The task panel of a job of milling or sheet cutting: its stock, process and clamps besides what every job has."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ from CNCStepper.workbench.features.tool import FORM, LIMITS
 from CNCStepper.workbench.panels.axis_calculator import AxisSheet
 from CNCStepper.workbench.panels.fields import NAME, ChoiceField, VectorField
 from CNCStepper.workbench.panels.form import MARGINS, Box
-from CNCStepper.workbench.panels.job_lists import ClampList, OperationList, ToolList
+from CNCStepper.workbench.panels.job_lists import ClampList, ObjectList
 from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.panels.process_fields import PROCESS_KINDS, ChartNote, MachineField, tool_hidden
-from CNCStepper.workbench.panels.task_panel import Panel
+from CNCStepper.workbench.panels.program_job_panel import ProgramJobPanel
 from CNCStepper.workbench.panels.tool_field import ShapeField
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.messages import guarded
@@ -29,7 +29,7 @@ from CNCStepper.workbench.services.translation import later, tr
 
 FOLDED = (PROGRAM, HEIGHTS)
 HIDDEN = ("operations", "tools", "clamps")
-CLAMPS, OPERATIONS, TOOLS = later("Clamps"), later("Operations"), later("Tools")
+CLAMPS = later("Clamps")
 AXIS = later("Axis arithmetic")
 
 
@@ -63,54 +63,31 @@ KINDS = {
 }
 
 
-class JobPanel(Panel):
-    """The panel of a job; the marked tool has an editor of its own in it."""
+class JobPanel(ProgramJobPanel):
+    """The panel of a job of milling or sheet cutting."""
 
     def __init__(self, job: Any):
-        self.job = job
         self.process = job.Process  # for which the tool's editor was made
-        self.editor = Editor(job, KINDS, FOLDED, HIDDEN)
-        super().__init__(job, self.editor)
+        super().__init__(job, KINDS, FOLDED, HIDDEN)
+
+    def add_own_parts(self) -> None:
+        """Add the button that fits the stock, the chart's note and the sheet of the axes."""
         self._add_stock_button()
-        self.chart_note = ChartNote(job, self.editor)
+        self.chart_note = ChartNote(self.job, self.editor)
         self.editor.form.add_widget(CHART, self.chart_note)
         self.editor.applied.connect(guarded(self.follow_process))
         self._add_axis_sheet()
-        self.clamps = ClampList(job, self.editor)
-        self.operations = OperationList(job, self.editor)
-        self.tools = ToolList(job, self.editor)
-        self.lists = (self.clamps, self.operations, self.tools)
-        self.editor.form.box(CLAMPS, folded=not job.Clamps)
+
+    def own_lists(self) -> tuple[ObjectList, ...]:
+        """Return the list of the clamps."""
+        self.clamps = ClampList(self.job, self.editor)
+        self.editor.form.box(CLAMPS, folded=not self.job.Clamps)
         self.editor.form.add_widget(CLAMPS, self.clamps)
-        self.editor.form.add_widget(OPERATIONS, self.operations)
-        self.editor.form.add_widget(TOOLS, self.tools)
-        self.editor.form.box(OPERATIONS).setVisible(bool(job.Operations))
-        self.tools.list.currentRowChanged.connect(guarded(self.show_tool))
-        for part in self.lists:
-            part.changed.connect(guarded(self.remake))
-        self.editor.applied.connect(guarded(self.operations.refresh))
-        self.tools.choose(next(iter(job.Tools), None))
+        return (self.clamps,)
 
-    def remake(self) -> None:
-        """Recompute after a list was changed, and show all as it is now."""
-        self.editor.remake()
-        for part in self.lists:
-            part.refresh()
-
-    def show_tool(self) -> None:
-        """Show the marked tool's editor below the list; the one before keeps its place while something is wrong."""
-        tool = self.tools.chosen()
-        shown = self.editors[1:]
-        if shown and shown[0].obj is tool:
-            return
-        if shown and shown[0].obj in self.job.Tools and not shown[0].flush():
-            self.tools.choose(shown[0].obj)
-            return
-        for editor in shown:
-            editor.stop()
-            editor.setParent(None)
-            editor.deleteLater()
-        self.editors[1:] = [self._tool_editor(tool)] if tool is not None else []
+    def tool_form(self, tool: Any) -> Editor:
+        """Return the editor of a tool, with the forms that the process has."""
+        return Editor(tool, {"shape": ShapeField}, (FORM, LIMITS), tool_hidden(self.job), self.tools)
 
     def follow_process(self) -> None:
         """Show what the chart says, and the marked tool anew where the process was changed."""
@@ -118,11 +95,7 @@ class JobPanel(Panel):
         if self.job.Process != self.process:
             self.process = self.job.Process
             self.tools.refresh()
-            for editor in self.editors[1:]:
-                editor.stop()
-                editor.setParent(None)
-                editor.deleteLater()
-            self.editors[1:] = []
+            self.drop_tool()
             self.show_tool()
 
     def fit_stock(self) -> None:
@@ -155,14 +128,3 @@ class JobPanel(Panel):
         column.addWidget(self.axis)
         self.editor.form.add_widget(MACHINE, box)
         self.editor.applied.connect(guarded(self.axis.follow))
-
-    def _tool_editor(self, tool: Any) -> Editor:
-        editor = Editor(tool, {"shape": ShapeField}, (FORM, LIMITS), tool_hidden(self.job), self.tools)
-        editor.applied.connect(guarded(self._tool_changed))
-        self.tools.layout().addWidget(editor)
-        return editor
-
-    def _tool_changed(self) -> None:
-        self.tools.refresh()
-        self.operations.refresh()
-        self.editor.refresh()

@@ -22,6 +22,7 @@ from CNCStepper.workbench.services.translation import tr
 FEWEST_ROWS, MOST_ROWS = 2, 5  # that are seen at once
 ICON_PX = 16
 SPARE_PX = 6  # with less Qt shows a scroll bar: what a style adds is not known before the list is seen
+CUTTER = "CNCStepper_Tool"
 CHECKED, UNCHECKED = QtCore.Qt.CheckState.Checked, QtCore.Qt.CheckState.Unchecked
 
 
@@ -149,8 +150,9 @@ class ToolList(ObjectList):
         super().__init__(job, "tools", parent)
         self.button("add", tr("Add tool"), tr("Add a tool to this job"), self.add)
         self.button("remove", tr("Remove tool"), tr("Delete the marked tool"), self.remove)
-        tip = tr("Add the tools of FreeCAD's library or of a tool table")
-        self.layout().addWidget(self.button("import", tr("Import…"), tip, self.import_))  # in a line of its own
+        if job.Proxy.TOOL == CUTTER:  # FreeCAD's library and tool tables hold no inserts
+            tip = tr("Add the tools of FreeCAD's library or of a tool table")
+            self.layout().addWidget(self.button("import", tr("Import…"), tip, self.import_))  # in a line of its own
         self.refresh()
 
     def objects(self) -> list[Any]:

@@ -26,7 +26,14 @@ from CNCStepper.workbench.services.translation import later
 
 IMPERIAL, CENTIMETRES = (2, 3, 5, 7), (4,)  # numbers of FreeCAD's schemas
 MM_PER_CM = 10.0
-PLAIN_UNITS = {"_rpm": "rpm", "_s": "s", "_percent": "%", "amperes": "A"}  # FreeCAD converts none of them
+PLAIN_UNITS = {  # FreeCAD converts none of them
+    "_mm_rev": "mm/rev",
+    "_m_min": "m/min",
+    "_rpm": "rpm",
+    "_s": "s",
+    "_percent": "%",
+    "amperes": "A",
+}
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 NEAR_MM = 20.0  # what is seen around a place, from the lower to the upper side of the view
 
 
@@ -17,6 +19,18 @@ def show_all() -> None:
         import FreeCADGui
 
         FreeCADGui.SendMsgToActiveView("ViewFit")
+
+
+def look_at_lathe() -> None:
+    """Look at the XZ plane, in which a lathe's tool moves: Z to the right, X upwards."""
+    import FreeCAD
+    import FreeCADGui
+
+    shown = FreeCADGui.activeDocument()
+    view: Any = shown.activeView() if shown is not None else None
+    if hasattr(view, "setCameraOrientation"):
+        x, y, z = (FreeCAD.Vector(*axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
+        view.setCameraOrientation(FreeCAD.Rotation(z, x, y, "XYZ"))
 
 
 def show_place(x_mm: float, y_mm: float) -> None:

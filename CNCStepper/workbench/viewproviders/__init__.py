@@ -36,11 +36,11 @@ def attach(obj: Any) -> None:
 
 
 def _kind(obj: Any) -> type:
-    from CNCStepper.workbench.features.base import JOB, proxy_type
+    from CNCStepper.workbench.features.base import JOB, LATHE_JOB, proxy_type
     from CNCStepper.workbench.features.cycle_operation import CycleOperation as Feature
     from CNCStepper.workbench.viewproviders.base import ViewProvider
     from CNCStepper.workbench.viewproviders.drawing import Drawing
-    from CNCStepper.workbench.viewproviders.job import Job
+    from CNCStepper.workbench.viewproviders.job import Job, LatheJob
     from CNCStepper.workbench.viewproviders.operation import Operation
     from CNCStepper.workbench.viewproviders.preview import Preview
     from CNCStepper.workbench.viewproviders.program import Program
@@ -49,6 +49,7 @@ def _kind(obj: Any) -> type:
         return Operation
     kinds = {
         JOB: Job,
+        LATHE_JOB: LatheJob,
         "CNCStepper_Preview": Preview,
         "CNCStepper_Program": Program,
         "CNCStepper_Drawing": Drawing,

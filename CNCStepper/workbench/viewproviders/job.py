@@ -10,26 +10,29 @@ from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.services.messages import guarded, polled
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
-from CNCStepper.workbench.viewproviders.stock_display import SHAPED_BY, ClampBlocks, StockBox
+from CNCStepper.workbench.viewproviders.stock_display import SHAPED_BY, StockAndClamps
+from CNCStepper.workbench.viewproviders.turned_stock_display import TURNED_BY, TurnedStock
 
 STOCK = "Stock"  # the one way in which a job is drawn
-DRAWN_FROM = {*SHAPED_BY, "ClampOutlines"}
 
 
-class Job(ViewProvider):
-    """The view of a job: in the 3D view it is the edges of its stock, and its clamps."""
+class ProgramJob(ViewProvider):
+    """The view of a job of any machine; `figure` draws its stock and what holds it. DRAWN_FROM: by which properties."""
 
-    stock: StockBox | None = None  # FreeCAD tells of properties before it attaches the view of an opened document
-    clamps: ClampBlocks | None = None
+    DRAWN_FROM: frozenset[str] = frozenset()
+    figure: Any = None  # FreeCAD tells of properties before it attaches the view of an opened document
 
     @polled
     def attach(self, view: Any) -> None:
-        """Draw stock and clamps; FreeCAD calls this for a new view and when a document is opened."""
+        """Draw the stock; FreeCAD calls this for a new view and when a document is opened."""
         super().attach(view)
-        self.stock, self.clamps = StockBox(), ClampBlocks()
-        self.stock.node.addChild(self.clamps.node)
-        view.addDisplayMode(self.stock.node, STOCK)
+        self.figure = self.new_figure()
+        view.addDisplayMode(self.figure.node, STOCK)
         self._draw()
+
+    def new_figure(self) -> Any:
+        """Return what draws the stock: it has a `node` and an `update` with the job."""
+        raise NotImplementedError
 
     def getDisplayModes(self, view: Any) -> list[str]:
         """Return the one way to draw a job."""
@@ -41,15 +44,14 @@ class Job(ViewProvider):
 
     @polled
     def updateData(self, obj: Any, name: str) -> None:
-        """Follow stock and clamps too; FreeCAD calls this at every change of a property."""
+        """Follow the stock too; FreeCAD calls this at every change of a property."""
         super().updateData(obj, name)
-        if name in DRAWN_FROM and not is_on_trial():
+        if name in self.DRAWN_FROM and not is_on_trial():
             self._draw()
 
     def _draw(self) -> None:
-        if self.stock is not None and self.clamps is not None and set(self.obj.PropertiesList) >= DRAWN_FROM:
-            self.stock.update(self.obj)
-            self.clamps.update(self.obj)
+        if self.figure is not None and set(self.obj.PropertiesList) >= self.DRAWN_FROM:
+            self.figure.update(self.obj)
 
     @polled
     def claimChildren(self) -> list[Any]:
@@ -103,6 +105,26 @@ class Job(ViewProvider):
         from CNCStepper.workbench.proving.prove_program import save_as
 
         save_as(self.obj)
+
+
+class Job(ProgramJob):
+    """The view of a job on a table: the edges of its stock, and its clamps."""
+
+    DRAWN_FROM = frozenset({*SHAPED_BY, "ClampOutlines"})
+
+    def new_figure(self) -> StockAndClamps:
+        """Return what draws stock and clamps."""
+        return StockAndClamps()
+
+
+class LatheJob(ProgramJob):
+    """The view of a lathe's job: the half section of bar, chuck and tailstock in the XZ plane, and their circles."""
+
+    DRAWN_FROM = TURNED_BY
+
+    def new_figure(self) -> TurnedStock:
+        """Return what draws bar, chuck and tailstock."""
+        return TurnedStock()
 
 
 def previews(job: Any) -> list[Any]:

@@ -39,12 +39,7 @@ class StockBox:
 
     def update(self, job: Any) -> None:
         """Draw the stock as the job says it is; nothing where the job says nonsense, or shapely is missing."""
-        strips = [] if packages.missing("numpy", "shapely") else _strips(job)
-        points = [point for strip in strips for point in strip]
-        self._points.point.setValues(0, len(points), points)
-        self._points.point.setNum(len(points))
-        self._lines.numVertices.setValues(0, len(strips), [len(strip) for strip in strips])
-        self._lines.numVertices.setNum(len(strips))
+        show_strips(self._points, self._lines, [] if packages.missing("numpy", "shapely") else _strips(job))
 
 
 def _strips(job: Any) -> list[list[Any]]:
@@ -97,8 +92,22 @@ class ClampBlocks:
         """Draw the clamps that the job keeps."""
         rings = list(rings_of(job))
         floor_mm = job.WorkOrigin.z - job.StockSize.z
-        _show_strips(self._top_points, self._tops, [ring[:-1] for ring in rings])
-        _show_strips(self._points, self._lines, [strip for ring in rings for strip in _block_edges(ring, floor_mm)])
+        show_strips(self._top_points, self._tops, [ring[:-1] for ring in rings])
+        show_strips(self._points, self._lines, [strip for ring in rings for strip in _block_edges(ring, floor_mm)])
+
+
+class StockAndClamps:
+    """Both; `node` is for the view, `update` follows the job."""
+
+    def __init__(self) -> None:
+        self.stock, self.clamps = StockBox(), ClampBlocks()
+        self.node = self.stock.node
+        self.node.addChild(self.clamps.node)
+
+    def update(self, job: Any) -> None:
+        """Draw stock and clamps."""
+        self.stock.update(job)
+        self.clamps.update(job)
 
 
 def _block_edges(ring: list[Any], floor_mm: float) -> list[list[Any]]:
@@ -107,7 +116,8 @@ def _block_edges(ring: list[Any], floor_mm: float) -> list[list[Any]]:
     return [ring, low, *([top, bottom] for top, bottom in zip(ring[:-1], low[:-1], strict=True))]
 
 
-def _show_strips(points: Any, shape: Any, strips: list[list[Any]]) -> None:
+def show_strips(points: Any, shape: Any, strips: list[list[Any]]) -> None:
+    """Let nodes of coordinates and of lines or faces show strips of points."""
     flat = [point for strip in strips for point in strip]
     points.point.setValues(0, len(flat), flat)
     points.point.setNum(len(flat))

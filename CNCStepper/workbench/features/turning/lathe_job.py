@@ -18,7 +18,9 @@ from CNCStepper.workbench.features.base import (
     LATHE_JOB,
     TEXT,
     Property,
+    entry_of,
 )
+from CNCStepper.workbench.features.cycle_operation import in_tables
 from CNCStepper.workbench.features.program_job import (
     CONTENTS,
     MACHINE,
@@ -33,7 +35,10 @@ from CNCStepper.workbench.features.program_job import (
 from CNCStepper.workbench.features.turning.turning_tool import TurningTool
 from CNCStepper.workbench.services.translation import later
 
-START, CHUCK, TAILSTOCK = later("Start"), later("Chuck"), later("Tailstock")
+START, CHUCK, TAILSTOCK = later("Start position"), later("Chuck"), later("Tailstock")
+TABLES = ("stock", "chuck", "tailstock")
+PLAIN = ("units", "machine", "process", "x_is", "distance", "canned", "material", "coolant", "work_offset",
+         "arc_tolerance_mm")  # fmt: skip
 TUBE = ("stock_form", ("tube",))
 OWN_START = ("start_by", ("given",))
 YES = ("tailstock_by", ("given",))
@@ -74,7 +79,7 @@ class LatheJob(ProgramJob):
                  only=TUBE),
         Property("stock_face_mm", "FaceStock", DISTANCE, STOCK, later("Before zero"),
                  later("How far the raw end lies before the finished end face, where Z is 0"), 1.0),
-        Property("stock_length_mm", "Length", DISTANCE, STOCK, later("Length"),
+        Property("stock_length_mm", "Length", DISTANCE, STOCK, later("Bar length"),
                  later("From the chuck's face to the finished end face"), 100.0),
         Property("chuck_diameter_mm", "ChuckDiameter", DISTANCE, CHUCK, later("Diameter"),
                  later("The diameter of the chuck"), 100.0),
@@ -90,7 +95,7 @@ class LatheJob(ProgramJob):
                  later("Of its tip"), 60.0, only=YES),
         Property("tailstock_hole_mm", "CentreHole", DISTANCE, TAILSTOCK, later("Hole"),
                  later("The diameter of the centre hole; 0: not given"), 0.0, only=YES),
-        Property("start_by", "StartBy", ENUMERATION, START, later("Start"),
+        Property("start_by", "StartBy", ENUMERATION, START, later("Start position"),
                  later("Where the tool is when the program begins: clear of the raw end, or given"), "automatic",
                  choices=("automatic", "given")),
         Property("start_x_mm", "StartX", DISTANCE, START, later("Start X"),
@@ -107,10 +112,20 @@ class LatheJob(ProgramJob):
         obj.setEditorMode("Process", HIDDEN)
         self.show_what_counts(obj)
 
+    def given(self, found: dict[str, Any]) -> dict[str, Any]:
+        """Return what a job file holds besides tools, profiles and operations, in its tables."""
+        counting = {key: value for key, value in found.items() if self.counts(entry_of(self, key), found)}
+        tables = in_tables({key: counting[key] for key in counting if key.startswith(TABLES)}, TABLES)
+        has_tailstock = tables["tailstock"].pop("by") == "given"
+        content: dict[str, Any] = {key: found[key] for key in PLAIN}
+        content |= tables | {"tailstock": tables["tailstock"] if has_tailstock else None}
+        own_start = found["start_by"] == "given"
+        return content | {"start": (found["start_x_mm"], found["start_z_mm"]) if own_start else None}
+
     def check(self, obj: Any) -> None:
         """Raise JobError for a machine that is no lathe, or a stock, chuck or start that cannot be."""
         packages.require()
-        from CNCStepper.workbench.document.core_turning_job import check_setup
+        from CNCStepper.workbench.document.turning.core_turning_job import check_setup
 
         check_setup(obj)
 
@@ -120,25 +135,25 @@ class LatheJob(ProgramJob):
 
     def program_question(self, obj: Any) -> dict[str, Any]:
         """Return what the cut process is asked for the programs; raises JobError for a bad job."""
-        from CNCStepper.workbench.document.core_turning_job import program_question
+        from CNCStepper.workbench.document.turning.core_turning_job import program_question
 
         return program_question(obj)
 
     def programs(self, obj: Any) -> list[tuple[str, str]]:
         """Return the names and texts of the programs; raises what the core raises."""
-        from CNCStepper.workbench.document.core_turning_job import programs
+        from CNCStepper.workbench.document.turning.core_turning_job import programs
 
         return programs(obj)
 
     def proof_question(self, obj: Any, program: Any) -> Callable[[Path, str], None]:
         """Return what writes the request for a proof into a folder, with the program's text; raises JobError."""
-        from CNCStepper.workbench.document.core_turning_job import proof_question
+        from CNCStepper.workbench.document.turning.core_turning_job import proof_question
 
         return proof_question(obj, program)
 
     def read_back(self, obj: Any, text: str) -> Any:
         """Return the table of moves of a program's text, X the radius and Z the part's; raises ProgramError."""
-        from CNCStepper.workbench.document.core_turning_job import read_back
+        from CNCStepper.workbench.document.turning.core_turning_job import read_back
 
         return read_back(obj, text)
 

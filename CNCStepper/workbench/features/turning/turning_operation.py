@@ -34,8 +34,8 @@ PROFILE_GROUP, IN_PROGRAM = later("Profile"), later("In the program")
 FOLLOWED = drawn(PROFILE_GROUP, later("The half profile that it turns: a sketch, edges, a solid or points"))
 THREADED = drawn(PROFILE_GROUP, later("The half profile whose diameter the thread has; without it the usual fit"))
 USED = (
-    Property("rpm", "SpindleUsed", FLOAT, IN_PROGRAM, later("Spindle"), later("The spindle's speed in the program"),
-             0.0, output=True),
+    Property("used_rpm", "SpindleUsed", FLOAT, IN_PROGRAM, later("Spindle"),
+             later("The spindle's speed in the program"), 0.0, output=True),
     Property("used_feed_mm_rev", "FeedUsed", FLOAT, IN_PROGRAM, later("Feed per turn"),
              later("The feed of the program, in millimetres a turn"), 0.0, output=True),
 )  # fmt: skip
@@ -54,7 +54,7 @@ class TurningOperation(CycleOperation):
     @classmethod
     def look(cls, drawing: Any, picked: tuple[str, ...]) -> None:
         """Raise GeometryError for what gives no half profile."""
-        from CNCStepper.workbench.document.profile_of_operation import look_at_profile
+        from CNCStepper.workbench.document.turning.profile_of_operation import look_at_profile
 
         look_at_profile(drawing, picked)
 
@@ -75,7 +75,7 @@ class TurningOperation(CycleOperation):
         jobs = jobs_of(obj)
         if not jobs:
             return None
-        from CNCStepper.workbench.document.core_turning_job import cut_question
+        from CNCStepper.workbench.document.turning.core_turning_job import cut_question
 
         return cut_question(jobs[0], obj)
 
@@ -86,10 +86,10 @@ class TurningOperation(CycleOperation):
         jobs = jobs_of(obj)
         if not jobs:
             return
-        from CNCStepper.workbench.document.core_turning_job import cut_for_trial
+        from CNCStepper.workbench.document.turning.core_turning_job import cut_for_trial
 
         figures, self.warnings = cut_for_trial(jobs[0], obj)
-        show(obj, {"rpm": figures["rpm"], "used_feed_mm_rev": figures["feed_mm_rev"]})
+        show(obj, {"used_rpm": figures["rpm"], "used_feed_mm_rev": figures["feed_mm_rev"]})
 
     def _require_what_it_needs(self, obj: Any) -> None:
         if self.FOLLOWS and not drawings_of(obj) and not obj.DeletedDrawing:

@@ -24,7 +24,7 @@ def export_turning_job(obj: Any, path: Path) -> None:
     """Write a lathe's job object as a job file; a machine's file is named by its whole path. Raises JobError."""
     from CNCStepper.job.turning.turning_job_text import save_turning_job
     from CNCStepper.machine.profile import profile_names
-    from CNCStepper.workbench.document.core_turning_job import turning_job_of
+    from CNCStepper.workbench.document.turning.core_turning_job import turning_job_of
 
     job = turning_job_of(obj)
     named = job.machine in profile_names() or Path(job.machine).is_absolute() or not obj.Document.FileName
@@ -39,7 +39,7 @@ def open_turning_job(document: Any, path: Path) -> tuple[Any, list[str]]:
     """
     from CNCStepper.job.model import machine_path
     from CNCStepper.job.turning.turning_job import load_turning_job
-    from CNCStepper.workbench.document.core_turning_job import turning_job_of
+    from CNCStepper.workbench.document.turning.core_turning_job import turning_job_of
 
     job, _ = load_turning_job(path)
     obj = _opened(document, job, str(machine_path(job.machine, path.parent)), path.stem)
@@ -78,10 +78,11 @@ def _keys(job: TurningJob, machine: str) -> dict[str, Any]:
 
 def _profile(document: Any, form: ProfileForm, job: TurningJob) -> Any:
     """Return the object by points of a profile; a drawing's has those of its lines and arcs."""
-    from CNCStepper.job.turning.profile_rows import lines_of, rows_of_curve
+    from CNCStepper.job.turning.profile_rows import lines_of
+    from CNCStepper.job.turning.section_sides import profile_rows
     from CNCStepper.workbench import api
 
-    rows = form.points if form.points is not None else rows_of_curve(job.curves[form.name], job.x_is)
+    rows = form.points if form.points is not None else profile_rows(job.curves[form.name], job.x_is)
     obj = api.add_profile(document, lines_of(rows), job.x_is)
     obj.Label = form.name
     return obj

@@ -15,16 +15,13 @@ from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.document.machine_of_job import machine_of
 from CNCStepper.workbench.document.operation_order import active_operations
-from CNCStepper.workbench.document.profile_of_operation import Pair, profile_pair, rows_of
+from CNCStepper.workbench.document.turning.profile_of_operation import profile_pair, rows_of, side_of
 from CNCStepper.workbench.features.base import values
-from CNCStepper.workbench.features.cycle_operation import in_tables, tool_of
+from CNCStepper.workbench.features.cycle_operation import tool_of
 from CNCStepper.workbench.features.program import is_of_a_file
 from CNCStepper.workbench.features.program_job import part_of
 from CNCStepper.workbench.features.turning.turning_tool import model_of
 
-PLAIN = ("units", "machine", "process", "x_is", "distance", "canned", "material", "coolant", "work_offset",
-         "arc_tolerance_mm")  # fmt: skip
-TABLES = ("stock", "chuck", "tailstock")
 MADE_BY_DRILLING = "turn_drill"
 
 
@@ -40,7 +37,7 @@ def lathe_of(obj: Any) -> Machine:
 def check_setup(obj: Any) -> None:
     """Raise JobError for a machine that is no lathe, or a stock, chuck or tailstock that cannot be."""
     lathe_of(obj)
-    content = _setup_content(obj)
+    content = obj.Proxy.given(values(obj))
     validated(TurnedStock, content["stock"], obj.Label)
     validated(Chuck, content["chuck"], obj.Label)
     if content["tailstock"]:
@@ -50,7 +47,7 @@ def check_setup(obj: Any) -> None:
 def turning_job_of(obj: Any, operations: Sequence[Any] | None = None) -> TurningJob:
     """Return a lathe's job object as the core's checked model; operations: of those alone, None for all active ones."""
     used = active_operations(obj) if operations is None else operations
-    content, profiles = _setup_content(obj), _profiles(used, obj.XIs)
+    content, profiles = obj.Proxy.given(values(obj)), _profiles(used, obj.XIs)
     tools = {tool_of(operation).Name: tool_of(operation) for operation in used}
     numbers = [tool for tool in obj.Tools if tool.Name in tools]
     content["tool"] = tuple(map(model_of, numbers + [tool for tool in tools.values() if tool not in numbers]))
@@ -59,37 +56,27 @@ def turning_job_of(obj: Any, operations: Sequence[Any] | None = None) -> Turning
     return validated(TurningJob, content, obj.Label)
 
 
-def _setup_content(obj: Any) -> dict[str, Any]:
-    """Return what a job file holds besides tools, profiles and operations."""
-    found = values(obj)
-    content = {key: found[key] for key in PLAIN}
-    counting = {entry.key for entry in obj.Proxy.PROPERTIES if obj.Proxy.counts(entry, found)}
-    tables = in_tables({key: value for key, value in found.items() if key in counting}, TABLES)
-    given = tables["tailstock"].pop("by") == "given"
-    content |= {"stock": tables["stock"], "chuck": tables["chuck"], "tailstock": tables["tailstock"] if given else None}
-    content["start"] = (found["start_x_mm"], found["start_z_mm"]) if found["start_by"] == "given" else None
-    return content
-
-
 def _profiles(operations: Sequence[Any], x_is: str) -> dict[Any, tuple[str, list[Any]]]:
-    """Return names and rows of the profiles that operations follow, by drawing and edges; each counts once."""
+    """Return names and rows of the profiles that operations follow, by drawing, edges and side; each counts once."""
     found: dict[Any, tuple[str, list[Any]]] = {}
     names: set[str] = set()
-    for pair in filter(None, map(profile_pair, operations)):
-        if _key(pair) not in found:
+    for operation in operations:
+        pair, key = profile_pair(operation), _key(operation)
+        if pair is not None and key not in found:
             name = pair[0].Label if pair[0].Label not in names else f"{pair[0].Label} {len(names) + 1}"
             names.add(name)
-            found[_key(pair)] = (name, rows_of(pair, x_is))
+            found[key] = (name, rows_of(pair, x_is, key[2]))
     return found
 
 
 def _profile_name(operation: Any, profiles: dict[Any, tuple[str, list[Any]]]) -> str:
+    key = _key(operation)
+    return profiles[key][0] if key in profiles else ""
+
+
+def _key(operation: Any) -> tuple[str, tuple[str, ...], str]:
     pair = profile_pair(operation)
-    return profiles[_key(pair)][0] if pair else ""
-
-
-def _key(pair: Pair) -> tuple[str, tuple[str, ...]]:
-    return pair[0].Name, pair[1]
+    return (pair[0].Name, pair[1], side_of(operation)) if pair else ("", (), "")
 
 
 def programs(obj: Any) -> list[tuple[str, str]]:
@@ -138,7 +125,7 @@ def proof_question(obj: Any, program: Any) -> Callable[[Path, str], None]:
 
     machine = lathe_of(obj)
     if is_of_a_file(program):
-        stock = validated(TurnedStock, _setup_content(obj)["stock"], obj.Label)
+        stock = validated(TurnedStock, obj.Proxy.given(values(obj))["stock"], obj.Label)
         bar = TurnedBar(stock.diameter_mm, stock.length_mm, stock.bore_mm, stock.face_mm)
         tools = list(map(model_of, obj.Tools))
         return lambda folder, text: write_file_question(folder, text, bar, tools, machine)

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A lathe's job by mouse and keyboard: bar, profile by points, roughing and finishing; every panel has its picture."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from PySide import QtGui
+
+from CNCStepper.workbench import api, panels
+from CNCStepper.workbench.document.turning.core_turning_job import lathe_of, turning_job_of
+from CNCStepper.workbench.features.base import problem_of, proxy_type
+from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
+from window_helpers.hand import Hand
+
+PANEL = "CNCStepper_Panel_"
+
+
+def the(kind: str) -> Any:
+    (found,) = [obj for obj in FreeCAD.ActiveDocument.Objects if proxy_type(obj) == f"CNCStepper_{kind}"]
+    return found
+
+
+def begin(hand: Hand, command: str, selected: str = "") -> None:
+    """Select an object, or nothing, and press a command's button."""
+    hand.main(FreeCADGui.Selection.clearSelection)
+    if selected:
+        hand.tree(selected)
+    hand.wait(lambda: FreeCADGui.Command.get(command).getAction()[0].isEnabled(), 10, f"{command} to be enabled")
+    hand.command(command)
+    hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, f"the panel of {command}")
+
+
+def accept(hand: Hand) -> None:
+    hand.click(f"{PANEL}ok")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+
+
+def rows(hand: Hand, *lines: str) -> None:
+    """Type the rows of a profile in place of those that are there."""
+    hand.click(f"{PANEL}points")
+    hand.key("Ctrl+A")
+    for number, line in enumerate(lines):
+        if number:
+            hand.key("Return")
+        hand.type(line)
+
+
+def text_of_core(job: Any) -> str:
+    from CNCStepper.job.turning.make_turning import make_turning
+
+    return make_turning(turning_job_of(job), lathe_of(job), job.Label)[0].program
+
+
+def test_a_shaft_by_mouse_and_keyboard(hand: Hand) -> None:
+    hand.main(FreeCAD.newDocument, "Shaft")
+    begin(hand, "CNCStepper_NewLatheJob")
+    hand.fill(f"{PANEL}stock_diameter_mm", "40")
+    hand.fill(f"{PANEL}stock_length_mm", "90")
+    hand.wait(lambda: the("LatheJob").Length.Value == 90, 10, "the bar")
+    hand.shot("lathe-1-job")
+    accept(hand)
+    begin(hand, "CNCStepper_TurningProfile")
+    rows(hand, "24; 0", "24; -30; fillet 2", "36; -40", "36; -50")
+    hand.wait(lambda: len(the("TurningProfile").Points) == 4, 10, "the rows")
+    hand.key("Return")
+    hand.type("36 -55")
+    hand.wait(lambda: "no row" in note("points"), 10, "the refusal")
+    hand.type("; -60")
+    hand.wait(lambda: "nothing of a corner" in note("points") or "no row" in note("points"), 10, "the refusal")
+    hand.shot("lathe-2-profile")
+    for _ in range(len("36 -55; -60") + 1):
+        hand.key("BackSpace")
+    accept(hand)
+    begin(hand, "CNCStepper_TurnRough", "Profile")
+    assert hand.main(lambda: not hand.find(f"{PANEL}picture").icon.pixmap(200, 100).isNull())
+    hand.fill(f"{PANEL}ap_mm", "1,25")
+    hand.wait(lambda: the("TurnRough").Ap.Value == 1.25, 10, "the depth")
+    hand.fill(f"{PANEL}feed_mm_rev", "20")
+    hand.wait(lambda: "at most" in note("feed_mm_rev"), 10, "the refusal")
+    hand.fill(f"{PANEL}feed_mm_rev", "0.25")
+    hand.shot("lathe-3-roughing")
+    accept(hand)
+    begin(hand, "CNCStepper_TurnFinish")
+    accept(hand)
+    job = hand.main(the, "LatheJob")
+    assert hand.main(lambda: [problem_of(each) for each in (*job.Operations, job)]) == ["", "", ""]
+    assert hand.main(lambda: api.program_text(job)) == hand.main(text_of_core, job)
+    assert hand.main(lambda: the("TurnFinish").Drawings[0][0].Label) == "Profile"
+    hand.shot("lathe-4-tree")
+    hand.undo()
+    hand.wait(lambda: len(job.Operations) == 1, 10, "the finishing to be gone")
+
+
+def note(key: str) -> str:
+    labels = FreeCADGui.getMainWindow().findChildren(QtGui.QLabel, f"{PANEL}{key}_error")
+    return str(labels[0].text()) if labels else ""
+
+
+def every_operation() -> Any:
+    document = FreeCAD.newDocument("Panels")
+    job = api.new_lathe_job(document)
+    api.add_tool(job)
+    profile = api.add_profile(document, ("20; 0", "20; -30"))
+    for cycle, kind in TURNING_OPERATIONS.items():
+        api.add_operation(job, cycle, profile if kind.FOLLOWS else None)
+    document.recompute()
+    return job
+
+
+@pytest.fixture(params=["English", "pt-BR"])
+def language(request: Any, hand: Hand) -> Iterator[str]:
+    """The window in that language; afterwards it is in English again."""
+    hand.main(FreeCADGui.setLocale, request.param)
+    yield request.param
+    hand.main(FreeCADGui.setLocale, "English")
+
+
+def test_every_panel_of_the_lathe(hand: Hand, language: str) -> None:
+    job = hand.main(every_operation)
+    for obj in (job, *hand.main(lambda: [job.Tools[0], *job.Operations, *job.Operations[1].OutList[1:2]])):
+        hand.main(panels.edit, obj)
+        hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, "the panel")
+        hand.shot(f"lathe-{language}-{hand.main(proxy_type, obj)}")
+        hand.click(f"{PANEL}cancel")
+        hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
