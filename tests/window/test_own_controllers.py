@@ -203,6 +203,9 @@ def test_the_lathe_is_tried_out_as_far_as_it_can(hand: Hand, dock: Any, twins: A
     for name in ("square", "circle", "corner_1"):
         assert not hand.main(lambda name=name: places.find(f"{T}{name}").isEnabled())
         assert "need the axes X and Y" in hand.main(lambda name=name: places.find(f"{T}{name}").toolTip())
+    assert not hand.main(test.size.isEnabled)
+    hand.main(test._lock_plane, load_machine("thesis-table"))
+    assert hand.main(test.size.isEnabled) and not hand.main(test.size.toolTip), "the next machine has X and Y"
     drive(hand, test, "Z", 40, "back")
     hand.wait(lambda: twin.place_mm() == pytest.approx((0.0, -0.5), abs=0.1), 10, "40 pulses of 80 a mm")
     rests(hand, test)

@@ -147,6 +147,8 @@ class MachineTest(QtGui.QWidget):
 
     def _lock_plane(self, machine: Machine | None) -> None:
         """Lock what lies in X and Y on a machine without them, and the lift on one without Z."""
+        self.size.setEnabled(True)  # nothing else does so after a lathe
+        self.size.setToolTip("")
         try:
             if machine:
                 lines.check_plane(machine)
