@@ -408,6 +408,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Constant Surface Speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Consumable</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2620,6 +2624,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spindle follows X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spindle turns a minute; 0: by the surface speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3585,6 +3593,10 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the surface speed stays as X changes (G96)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8675,6 +8687,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Spindle follows X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Spindle turns a minute; 0: by the surface speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10248,6 +10264,10 @@
         </message>
         <message>
             <source>Whether the program holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whether the surface speed stays as X changes (G96)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -408,6 +408,10 @@
             <translation>Colunas</translation>
         </message>
         <message>
+            <source>Constant Surface Speed</source>
+            <translation>Velocidade de corte constante</translation>
+        </message>
+        <message>
             <source>Consumable</source>
             <translation>Consumível</translation>
         </message>
@@ -2620,6 +2624,10 @@
             <translation>Rotação usada</translation>
         </message>
         <message>
+            <source>Spindle follows X</source>
+            <translation>Fuso segue X</translation>
+        </message>
+        <message>
             <source>Spindle turns a minute; 0: by the surface speed</source>
             <translation>Voltas do fuso por minuto; 0: pela velocidade de corte</translation>
         </message>
@@ -3586,6 +3594,10 @@
         <message>
             <source>Whether the program holds it</source>
             <translation>Se o programa a contém</translation>
+        </message>
+        <message>
+            <source>Whether the surface speed stays as X changes (G96)</source>
+            <translation>Se a velocidade de corte se mantém quando X muda (G96)</translation>
         </message>
         <message>
             <source>Whether their directions are those of insert and holder, or given by two angles</source>
@@ -8675,6 +8687,10 @@
             <translation>Fuso e relés</translation>
         </message>
         <message>
+            <source>Spindle follows X</source>
+            <translation>Fuso segue X</translation>
+        </message>
+        <message>
             <source>Spindle turns a minute; 0: by the surface speed</source>
             <translation>Voltas do fuso por minuto; 0: pela velocidade de corte</translation>
         </message>
@@ -10249,6 +10265,10 @@
         <message>
             <source>Whether the program holds it</source>
             <translation>Se o programa a contém</translation>
+        </message>
+        <message>
+            <source>Whether the surface speed stays as X changes (G96)</source>
+            <translation>Se a velocidade de corte se mantém quando X muda (G96)</translation>
         </message>
         <message>
             <source>Whether their directions are those of insert and holder, or given by two angles</source>

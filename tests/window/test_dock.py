@@ -158,7 +158,15 @@ def test_a_held_jog_ends_when_the_window_hangs(hand: Hand, dock: Any) -> None:
     assert work_mm(hand, "Y") < 1000 / 60 * 2.0
 
 
-def test_send_hold_resume_done(hand: Hand, dock: Any) -> None:
+@pytest.fixture
+def heard(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The names of the sounds that the dock plays."""
+    played: list[str] = []
+    monkeypatch.setattr(sounds, "play", played.append)
+    return played
+
+
+def test_send_hold_resume_done(hand: Hand, dock: Any, heard: list[str]) -> None:
     pocket(hand)
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), 60, "the proof")
@@ -187,6 +195,7 @@ def test_send_hold_resume_done(hand: Hand, dock: Any) -> None:
     assert "lines are cut" in hand.text(f"{D}FlowDetail")
     says(hand, "Idle")
     hand.shot("dock-done")
+    assert heard == [sounds.END]
     hand.click(f"{D}Cancel")
     assert not hand.exists(f"{D}Flow")
 
@@ -304,7 +313,9 @@ def zero_at(hand: Hand, dock: Any, x_mm: float, y_mm: float, z_mm: float) -> Non
     hand.wait(lambda: dock.link.start not in (None, before), 10, "the new zero")
 
 
-def test_a_job_is_proven_for_the_zero_that_the_machine_has(hand: Hand, dock: Any, locked_machine: str) -> None:
+def test_a_job_is_proven_for_the_zero_that_the_machine_has(
+    hand: Hand, dock: Any, locked_machine: str, heard: list[str]
+) -> None:
     pocket(hand)
     homed(hand, locked_machine)
     hand.command("CNCStepper_Send")
@@ -313,6 +324,7 @@ def test_a_job_is_proven_for_the_zero_that_the_machine_has(hand: Hand, dock: Any
     found = hand.main(lambda: [rows.item(row).text() for row in range(rows.count())])
     assert any("leaves the travel of X by 17 mm" in row for row in found), found
     hand.shot("dock-travel")
+    assert sounds.BEYOND in heard
     hand.click(f"{D}Cancel")
     zero_at(hand, dock, -200.0, -200.0, -40.0)
     hand.command("CNCStepper_Send")
@@ -479,11 +491,7 @@ def test_what_the_machine_cannot_do_is_said_at_its_button(
         assert not hand.main(widget.isEnabled) and words in hand.main(widget.toolTip), name
 
 
-def test_sounds_are_made_at_a_pause_and_can_be_switched_off(
-    hand: Hand, dock: Any, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    heard: list[str] = []
-    monkeypatch.setattr(sounds, "play", heard.append)
+def test_sounds_are_made_at_a_pause_and_can_be_switched_off(hand: Hand, dock: Any, heard: list[str]) -> None:
     hand.main(dock._sound, "pause")
     assert heard == ["pause"]
     hand.main(lambda: places.scroll_to(places.find(f"{D}Sounds")))

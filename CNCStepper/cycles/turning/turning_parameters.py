@@ -41,7 +41,9 @@ class TurningParameters(Parameters):
     max_rpm: Annotated[
         SpeedOr0, Parameter(FEEDS, "Fastest spindle", "The limit of the surface speed; 0: none", name="MostTurns")
     ] = 0.0  # fmt: skip
-    constant_surface_speed: bool = False
+    constant_surface_speed: Annotated[
+        bool, Parameter(FEEDS, "Spindle follows X", "Whether the surface speed stays as X changes (G96)")
+    ] = False
     clearance_mm: Annotated[Width, Parameter(PATH, "Clearance", "How far before the material a rapid ends", 1.0)] = 1.0
 
 

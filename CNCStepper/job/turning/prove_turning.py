@@ -9,10 +9,10 @@ from functools import reduce
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import Place
 from CNCStepper.gcode.dialects import dialect
 from CNCStepper.job.prove import Proof, prove, with_findings
-from CNCStepper.job.turning.make_turning import TurnedProgram, in_part, make_turning, placement_of
+from CNCStepper.job.turning.make_turning import TurnedProgram, in_part, placement_of
 from CNCStepper.job.turning.report import TurnedVerdict, judge_turning, setup_of
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.machine.profile import Machine
@@ -63,23 +63,6 @@ def prove_turning(
         told = replace(proof, report={**proof.report, **verdict.report(rows), "operations": operations})
         yield TurnedProof(program, with_findings(told, found), verdict, before[-1], rows)
         rows += len(proof.toolpath)
-
-
-def prove_one(job: TurningJob, machine: Machine, text: str, name: str, start: Start | None = None) -> TurnedProof:
-    """Return the proof of a program's text, made by the job or edited, on the part that those before it leave.
-
-    name: of the program, with which it was made. Raises JobError for a text that is none of the programs of a job that
-    has several: which part it would cut is not known.
-    """
-    made = make_turning(job, machine, name)
-    if len(made) == 1:
-        return next(prove_turning(job, machine, [replace(made[0], program=text)], Path(), name, start))
-    last = next((number for number, one in enumerate(made) if one.program == text), None)
-    if last is None:
-        what = "the program is none of the job's parts"
-        raise JobError("not-a-part", what, limit=f"{len(made)} parts", advice="make the program again")
-    *_, proof = prove_turning(job, machine, made[: last + 1], Path(), name, start)
-    return proof
 
 
 def _start(program: TurnedProgram, machine: Machine, start: Start | None) -> Start | None:
