@@ -4567,8 +4567,8 @@
             <translation>Verificar e enviar</translation>
         </message>
         <message>
-            <source>Check and simulate: {0}</source>
-            <translation>Verificar e simular: {0}</translation>
+            <source>Check and simulate</source>
+            <translation>Verificar e simular</translation>
         </message>
         <message>
             <source>Checking against the machine…</source>
