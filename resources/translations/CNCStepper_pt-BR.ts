@@ -2613,7 +2613,7 @@
         </message>
         <message>
             <source>Spindle</source>
-            <translation>Spindle</translation>
+            <translation>Fuso</translation>
         </message>
         <message>
             <source>Spindle Speed</source>
@@ -3297,7 +3297,7 @@
         </message>
         <message>
             <source>Thread</source>
-            <translation>Rosquear</translation>
+            <translation>Rosca</translation>
         </message>
         <message>
             <source>Thread length</source>
@@ -8680,7 +8680,7 @@
         </message>
         <message>
             <source>Spindle</source>
-            <translation>Spindle</translation>
+            <translation>Fuso</translation>
         </message>
         <message>
             <source>Spindle and relays</source>
@@ -9776,7 +9776,7 @@
         </message>
         <message>
             <source>Thread</source>
-            <translation>Rosquear</translation>
+            <translation>Rosca</translation>
         </message>
         <message>
             <source>Thread length</source>
