@@ -25,6 +25,8 @@ from CNCStepper.cli.main import FAMILIES, OTHER_NAMES, group  # noqa: E402
 from CNCStepper.cycles.catalogue import CYCLES  # noqa: E402
 from CNCStepper.cycles.holes.hole_parameters import PATTERNS  # noqa: E402
 from CNCStepper.cycles.parameter import Declared, Parameters, declared  # noqa: E402
+from CNCStepper.cycles.turning.turning_operation import TURNING_OPERATIONS  # noqa: E402
+from CNCStepper.cycles.turning.turning_parameters import TurningParameters  # noqa: E402
 from CNCStepper.drawing.shape_library.declaration import LibraryShape  # noqa: E402
 from CNCStepper.drawing.shape_library.shape_families import FAMILIES as SHAPE_FAMILIES  # noqa: E402
 from CNCStepper.drawing.shape_library.shape_families import shapes_of  # noqa: E402
@@ -58,18 +60,31 @@ are refused.
 PICTURE_PIXELS, PICTURE_MARGIN = 160.0, 0.08
 HEAD = ["| key | value | default | |", "|---|---|---|---|"]
 MODEL = "pocket"  # whose keys others have too, beside their own
+TURNING_HEAD = """## Operations of a lathe
+
+`turn_rough`, `turn_bore` and `turn_finish` have the name of a `profile`, `turn_thread` may. [The guide to
+turning](../user-guide/turning.md) has the other tables of a lathe's job. Every operation has a `tool` and may have
+"""
 
 
 def tables() -> str:
-    """Return the reference of all cycles and patterns in Markdown."""
-    known = list(rows_of_cycle(MODEL))
+    """Return the reference of all cycles and patterns in Markdown, then of the lathe's cycles."""
+    known = list(rows_of_cycle(CYCLES[MODEL]))
     parts = [cycle_part(name, known if name != MODEL else []) for name in CYCLES]
-    return "\n".join([*parts, *map(pattern_part, PATTERNS)])
+    common = list(rows(declared(TurningParameters), ""))
+    turning = [TURNING_HEAD, *HEAD, *common, "", *(turning_part(name, common) for name in TURNING_OPERATIONS)]
+    return "\n".join([*parts, *map(pattern_part, PATTERNS), *turning])
+
+
+def turning_part(name: str, common: list[str]) -> str:
+    """Return heading and table of a cycle of the lathe, without the rows that all have."""
+    own = [row for row in rows_of_cycle(TURNING_OPERATIONS[name]) if row not in common]
+    return "\n".join([f"### `{name}`", "", *HEAD, *own, ""])
 
 
 def cycle_part(name: str, known: list[str]) -> str:
     """Return heading and table of a cycle; `known` are rows that need not stand here when it has nearly all of them."""
-    rows = list(rows_of_cycle(name))
+    rows = list(rows_of_cycle(CYCLES[name]))
     own = [row for row in rows if row not in known]
     few = len(known) and len(rows) - len(own) > len(known) - 2
     shapes = ", ".join(f"`{key.says}`" for key in SHAPE_KEYS.get(name, ()))
@@ -77,9 +92,8 @@ def cycle_part(name: str, known: list[str]) -> str:
     return "\n".join([*lines, *(["", f"The other keys are those of `{MODEL}`."] if few else []), ""])
 
 
-def rows_of_cycle(name: str) -> Iterator[str]:
+def rows_of_cycle(model: type[BaseModel]) -> Iterator[str]:
     """Yield the rows of a cycle's table."""
-    model = CYCLES[name]
     parameters = next(
         base for base in model.__mro__ if issubclass(base, Parameters) and not issubclass(base, BaseModel)
     )
@@ -122,6 +136,8 @@ def value(field: Declared) -> str:
         return ", ".join(map(toml, field.choices))
     if get_origin(field.type) is tuple:
         return "[[x, y], …]" if ... in get_args(field.type) else "[x, y], mm"
+    if field.type is str:
+        return "a text"
     return field.bounds.words if field.bounds else "true, false"
 
 

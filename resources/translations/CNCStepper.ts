@@ -4567,7 +4567,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Check and simulate: {0}</source>
+            <source>Check and simulate</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

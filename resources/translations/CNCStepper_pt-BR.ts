@@ -2613,7 +2613,7 @@
         </message>
         <message>
             <source>Spindle</source>
-            <translation>Spindle</translation>
+            <translation>Fuso</translation>
         </message>
         <message>
             <source>Spindle Speed</source>
@@ -3297,7 +3297,7 @@
         </message>
         <message>
             <source>Thread</source>
-            <translation>Rosquear</translation>
+            <translation>Rosca</translation>
         </message>
         <message>
             <source>Thread length</source>
@@ -4567,8 +4567,8 @@
             <translation>Verificar e enviar</translation>
         </message>
         <message>
-            <source>Check and simulate: {0}</source>
-            <translation>Verificar e simular: {0}</translation>
+            <source>Check and simulate</source>
+            <translation>Verificar e simular</translation>
         </message>
         <message>
             <source>Checking against the machine…</source>
@@ -8680,7 +8680,7 @@
         </message>
         <message>
             <source>Spindle</source>
-            <translation>Spindle</translation>
+            <translation>Fuso</translation>
         </message>
         <message>
             <source>Spindle and relays</source>
@@ -9776,7 +9776,7 @@
         </message>
         <message>
             <source>Thread</source>
-            <translation>Rosquear</translation>
+            <translation>Rosca</translation>
         </message>
         <message>
             <source>Thread length</source>

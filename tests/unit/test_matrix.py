@@ -27,7 +27,7 @@ def let_all_pass(matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     monkeypatch.setattr(matrix, "made", lambda version: True)
     monkeypatch.setattr(matrix, "told_version", lambda where: f"{where} ['…']")
     monkeypatch.setattr(matrix, "headless", lambda where, environment, log: True)
-    monkeypatch.setattr(matrix, "followed", lambda where, log: True)
+    monkeypatch.setattr(matrix, "installed", lambda where, log: True)
     monkeypatch.setattr(matrix, "window", lambda where, kind, environment, log, tests=(): True)
 
 

@@ -313,6 +313,9 @@ def reopen() -> None:
     FreeCADGui.activateWorkbench("CNCStepperWorkbench")
 
 
+NOT_EVERYWHERE = ("numba", "spyrrow", "distributed")  # what a FreeCAD of the matrix may lack
+
+
 def test_without_shapely_it_opens_and_says_how_to_get_it(hand: Hand, hidden: Any) -> None:
     hidden("shapely", "serial")
     expect_enabled(hand, CONTROLLER)
@@ -327,7 +330,8 @@ def test_without_shapely_it_opens_and_says_how_to_get_it(hand: Hand, hidden: Any
     dialog = hand.find("CNCStepper_Install")
     listed = hand.find("CNCStepper_Install_list")
     texts = hand.main(lambda: [listed.item(row).text() for row in range(listed.count())])
-    assert [text.split()[0] for text in texts] == ["shapely", "pyserial"]
+    names = [text.split()[0] for text in texts]
+    assert [name for name in names if name not in NOT_EVERYWHERE] == ["shapely", "pyserial"]
     assert str(packages.own_folder()) in hand.text("CNCStepper_Install_place")
     hand.shot("install-packages", dialog)
     hand.click(hand.find("CNCStepper_Install_close"))

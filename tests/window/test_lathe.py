@@ -12,7 +12,6 @@ import pytest
 from PySide import QtGui
 
 from CNCStepper.workbench import api, panels
-from CNCStepper.workbench.document.turning.core_turning_job import lathe_of, turning_job_of
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
 from window_helpers.hand import Hand
@@ -52,6 +51,7 @@ def rows(hand: Hand, *lines: str) -> None:
 
 def text_of_core(job: Any) -> str:
     from CNCStepper.job.turning.make_turning import make_turning
+    from CNCStepper.workbench.document.turning.core_turning_job import lathe_of, turning_job_of
 
     return make_turning(turning_job_of(job), lathe_of(job), job.Label)[0].program
 
@@ -77,7 +77,7 @@ def test_a_shaft_by_mouse_and_keyboard(hand: Hand) -> None:
         hand.key("BackSpace")
     accept(hand)
     begin(hand, "CNCStepper_TurnRough", "Profile")
-    assert hand.main(lambda: not hand.find(f"{PANEL}picture").icon.pixmap(200, 100).isNull())
+    assert hand.main(colours, hand.find(f"{PANEL}picture")) > 3
     hand.fill(f"{PANEL}ap_mm", "1,25")
     hand.wait(lambda: the("TurnRough").Ap.Value == 1.25, 10, "the depth")
     hand.fill(f"{PANEL}feed_mm_rev", "20")
@@ -94,6 +94,12 @@ def test_a_shaft_by_mouse_and_keyboard(hand: Hand) -> None:
     hand.shot("lathe-4-tree")
     hand.undo()
     hand.wait(lambda: len(job.Operations) == 1, 10, "the finishing to be gone")
+
+
+def colours(widget: Any) -> int:
+    """How many colours lie on the middle line of a widget."""
+    image = widget.grab().toImage()
+    return len({image.pixel(x, image.height() // 2) for x in range(image.width())})
 
 
 def note(key: str) -> str:

@@ -13,10 +13,6 @@ import FreeCADGui
 import pytest
 from PySide import QtGui
 
-from CNCStepper.job.cut_transfer import program_texts
-from CNCStepper.job.templates.drawing_job import job_of_drawing
-from CNCStepper.job.templates.template import read_template
-from CNCStepper.machine.profile import load_machine
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from window_helpers.hand import Hand
@@ -74,6 +70,11 @@ def job_of(document: Any) -> Any:
 
 
 def program_of_command_line(drawing: Path, template: Path, title: str) -> str:
+    from CNCStepper.job.cut_transfer import program_texts
+    from CNCStepper.job.templates.drawing_job import job_of_drawing
+    from CNCStepper.job.templates.template import read_template
+    from CNCStepper.machine.profile import load_machine
+
     job = job_of_drawing(read_template(template), drawing, drawing.with_suffix(".toml")).job
     machine = load_machine(job.machine)
     ((_, text),) = program_texts(job.on(machine), machine, title)

@@ -24,6 +24,7 @@ from CNCStepper.workbench.panels.program_job_panel import ProgramJobPanel
 from CNCStepper.workbench.panels.task_panel import Panel
 from CNCStepper.workbench.panels.tool_field import ToolField
 from CNCStepper.workbench.services.choice_labels import words_of
+from CNCStepper.workbench.services.icons import picture_painter
 from CNCStepper.workbench.services.translation import later, tr
 
 PICTURES = packages.ROOT / "resources" / "pictures" / "turning"
@@ -102,7 +103,7 @@ class CyclePicture(QtGui.QWidget):
     def __init__(self, cycle: str, parent: Any):
         super().__init__(parent)
         self.setObjectName(f"{NAME}_picture")
-        self.icon = QtGui.QIcon(str(PICTURES / f"{cycle}.svg"))
+        self._paint = picture_painter(PICTURES / f"{cycle}.svg")
         self.setMinimumSize(*LEAST_PX)
 
     def resizeEvent(self, event: Any) -> None:
@@ -112,7 +113,7 @@ class CyclePicture(QtGui.QWidget):
     def paintEvent(self, event: Any) -> None:
         """Draw the picture in the middle; Qt calls this."""
         painter = QtGui.QPainter(self)
-        self.icon.paint(painter, self.rect())
+        self._paint(painter, self.rect())
         painter.end()
 
 

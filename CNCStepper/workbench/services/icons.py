@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from CNCStepper.workbench import packages
@@ -30,6 +32,23 @@ def icon(name: str, badge: str = "") -> Any:
     for size_px in SIZES_PX:
         result.addPixmap(_composed(plain, mark, size_px, grey=badge == "Inactive"))
     return result
+
+
+def picture_painter(path: Path) -> Callable[[Any, Any], None]:
+    """Return what paints an SVG file into a rectangle of a QPainter at any size.
+
+    Where Python's QtSvg is not installed it is FreeCAD that reads the file, in the size of an icon.
+    """
+    from PySide import QtCore
+
+    try:
+        from PySide import QtSvg
+    except ImportError:
+        import FreeCADGui
+
+        return FreeCADGui.getIcon(str(path)).paint
+    renderer = QtSvg.QSvgRenderer(str(path))
+    return lambda painter, place: renderer.render(painter, QtCore.QRectF(place))
 
 
 def _composed(plain: Any, mark: Any, size_px: int, grey: bool) -> Any:

@@ -86,9 +86,12 @@ class SimulationPanel(QtGui.QWidget):
     def __init__(self, label: str, parent: Any = None):
         super().__init__(parent)
         self.setObjectName("CNCStepper_Simulation_panel")
-        self.setWindowTitle(tr("Check and simulate: {0}").format(label))
+        self.setWindowTitle(tr("Check and simulate"))  # a name in the title would make the panel as wide as it is
         self.setWindowIcon(icon("CNCStepper_Simulate"))
         self._layout = QtGui.QVBoxLayout(self)
+        name = QtGui.QLabel(label)
+        name.setObjectName("CNCStepper_Simulation_name")
+        name.setWordWrap(True)
         self._message = QtGui.QLabel()
         self._message.setObjectName("CNCStepper_Simulation_message")
         self._message.setWordWrap(True)
@@ -100,7 +103,7 @@ class SimulationPanel(QtGui.QWidget):
         self._again = QtGui.QPushButton(tr("Simulate again"))
         self._again.setObjectName("CNCStepper_Simulation_again")
         self._again.clicked.connect(self.again)
-        for widget in (self._message, self._busy, self._again):
+        for widget in (name, self._message, self._busy, self._again):
             self._layout.addWidget(widget)
         self._content: Any = None
         self.program = ProgramList()

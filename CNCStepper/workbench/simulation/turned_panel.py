@@ -85,6 +85,7 @@ class TurnedPanel(SimulationPanel):
         self._z = QtGui.QDoubleSpinBox()
         self._z.setObjectName("CNCStepper_Simulation_z")
         self._z.setRange(-FAR_MM, FAR_MM)
+        self._z.setMinimumWidth(1)  # else it is as wide as the farthest Z
         self._z.setDecimals(3)
         self._z.setSuffix(" mm")
         self._z.setKeyboardTracking(False)
@@ -114,7 +115,7 @@ def _legend(tools: dict[int, str]) -> Any:
         sample, pixels = QtGui.QLabel(), QtGui.QPixmap(SAMPLE_PX, SAMPLE_PX)
         pixels.fill(QtGui.QColor.fromRgbF(*rgb))
         sample.setPixmap(pixels)
-        grid.addWidget(sample, place // 2, place % 2 * 2)
-        grid.addWidget(QtGui.QLabel(text), place // 2, place % 2 * 2 + 1)
-    grid.setColumnStretch(3, 1)
+        grid.addWidget(sample, place, 0)
+        grid.addWidget(QtGui.QLabel(text), place, 1)
+    grid.setColumnStretch(1, 1)
     return box

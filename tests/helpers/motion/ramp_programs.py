@@ -51,4 +51,5 @@ def speeds_mm_s(toolpath, limits, grid_s=GRID_S):
 
 
 def targets(rows, limits):
-    return np.rint(np.array([end for end, *_ in rows], np.float32) * np.array(limits.steps_per_mm, np.float32))
+    exact = np.array([end for end, *_ in rows], np.float32) * np.array(limits.steps_per_mm, np.float32)
+    return np.sign(exact) * np.floor(np.abs(exact) + 0.5)  # halves away from zero, as grbl's lround

@@ -17,8 +17,11 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.read_back import read_back
 from CNCStepper.job.make import cut_operations
 from CNCStepper.job.model import load_job
+from CNCStepper.job.turning import turning_transfer
+from CNCStepper.job.turning.turning_job import load_turning_job
 from CNCStepper.state import Start
 from CNCStepper.workers.kernel_warm_up import warm
+from helpers.job.example_jobs import LATHE_JOBS
 
 
 def compiled() -> set[str]:
@@ -37,9 +40,19 @@ def main(jobs: list[str]) -> None:
     read_back(prepare(text), text, Start.at_zero())
     _print_new("reading", ahead)
     for path in jobs:
-        job, machine = load_job(Path(path))
-        cut_operations(job.on(machine))
+        make(Path(path))
         _print_new(path, ahead)
+
+
+def make(path: Path) -> None:
+    """Make what the window makes of a job."""
+    if path in LATHE_JOBS:
+        turned, lathe = load_turning_job(path)
+        for _, text in turning_transfer.program_texts(turned, lathe, path.stem):
+            turning_transfer.read_back(turned, lathe, text, path.name)
+        return
+    job, machine = load_job(path)
+    cut_operations(job.on(machine))
 
 
 def _print_new(what: str, ahead: set[str]) -> None:

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.cycles.catalogue import CYCLES
+from CNCStepper.cycles.turning.turning_operation import TURNING_OPERATIONS
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.job.prove import prove_job
@@ -54,3 +55,11 @@ def test_every_key_of_every_cycle_is_declared_with_its_help(cycle: str) -> None:
     keys = {key.partition(".")[0] for key in re.findall(r"^\| `([\w.]+)` \|", told, re.MULTILINE)}
     shapes = {"outlines", "islands", "curves", "marks", *(["pattern"] if "`pattern.circles`" in told else [])}
     assert keys == set(CYCLES[cycle].model_fields) - shapes - {"cycle", "tool"}
+
+
+@pytest.mark.parametrize("cycle", TURNING_OPERATIONS)
+def test_every_key_of_every_cycle_of_a_lathe_is_declared_with_its_help(cycle: str) -> None:
+    lathe = PAGE.partition("## Operations of a lathe\n")[2]
+    told = lathe.partition("\n### ")[0] + lathe.partition(f"### `{cycle}`\n")[2].partition("\n##")[0]
+    keys = set(re.findall(r"^\| `(\w+)` \|", told, re.MULTILINE))
+    assert keys == set(TURNING_OPERATIONS[cycle].model_fields) - {"cycle", "tool", "profile"}

@@ -10,15 +10,15 @@ from pathlib import Path
 import pytest
 
 from CNCStepper import kernel_cache, kernels
-from helpers.job.example_jobs import TABLE_JOBS as JOBS
+from helpers.job.example_jobs import LATHE_JOBS, TABLE_JOBS
 
 TESTS = Path(__file__).parents[2]
 
 
 @pytest.mark.slow
 def test_no_example_needs_a_kernel_that_was_not_compiled_ahead() -> None:
-    assert kernels.COMPILED and len(JOBS) > 10
-    words = [sys.executable, "-m", "helpers.workers.kernels_not_ahead", *map(str, JOBS)]
+    assert kernels.COMPILED and len(TABLE_JOBS) > 10 and len(LATHE_JOBS) > 3
+    words = [sys.executable, "-m", "helpers.workers.kernels_not_ahead", *map(str, TABLE_JOBS + LATHE_JOBS)]
     told = subprocess.run(words, cwd=TESTS, capture_output=True, text=True, timeout=300, check=True).stdout
     ahead, *late = told.splitlines()
     assert int(ahead) > 10

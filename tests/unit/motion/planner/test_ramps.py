@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from CNCStepper.motion.planner import plan
@@ -33,6 +33,7 @@ def shrunk(rows, scale):
 @pytest.mark.parametrize("limits", RAMPS)
 @settings(max_examples=25, deadline=None)
 @given(rows=moves, scale=st.sampled_from([1.0, 0.2, 0.02]))
+@example(rows=[((-1.078125, 0.0, 1.078125), 60.0, False)], scale=1.0)  # half a step
 def test_no_axis_exceeds_its_rate_and_all_reach_their_targets(limits, rows, scale):
     rows = shrunk(rows, scale)
     if not np.any(targets(rows, limits)):
