@@ -363,14 +363,16 @@ class SessionServer:
             self._selector.modify(peer.connection, events, peer)
 
     def _drop(self, peer: Peer) -> None:
-        if self._peers.pop(peer.connection, None):
-            self._selector.unregister(peer.connection)
-            peer.connection.close()
-            if peer.attached:
-                self._alone_since_s = time.monotonic()
-                self._left = False  # one that crashed may come back
-                if peer.keep_s:
-                    self._keep_for(peer.keep_s)
+        if peer.connection not in self._peers:
+            return
+        if peer.attached:  # before it is gone: `alone_s` is asked by another thread
+            self._alone_since_s = time.monotonic()
+            self._left = False  # one that crashed may come back
+            if peer.keep_s:
+                self._keep_for(peer.keep_s)
+        del self._peers[peer.connection]
+        self._selector.unregister(peer.connection)
+        peer.connection.close()
 
 
 def _keep_s(request: dict[str, Any]) -> float | None:
