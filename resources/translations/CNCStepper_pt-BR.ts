@@ -8544,7 +8544,7 @@
         </message>
         <message>
             <source>Show the tool's path</source>
-            <translation>Mostra a trajetória da ferramenta</translation>
+            <translation>Mostrar a trajetória</translation>
         </message>
         <message>
             <source>Shows the same program as this machine's controller reads it: M6 becomes the machine's tool change</source>

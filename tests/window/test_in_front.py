@@ -41,7 +41,7 @@ def test_check_and_send_take_the_program_in_front(hand: Hand, dock: Any, tmp_pat
     hand.shot("front-editor")
     hand.command("CNCStepper_Simulate")
     hand.wait(lambda: hand.exists("CNCStepper_Findings_list"), START_S, "the findings of the file")
-    assert "peça.nc" in hand.main(simulated, hand)
+    assert hand.text("CNCStepper_Simulation_name") == "peça.nc"
     hand.shot("front-simulated")
     closed(hand)
     hand.main(panel.edit.go_to, 8, 1)
@@ -67,12 +67,3 @@ def test_check_and_send_take_the_program_in_front(hand: Hand, dock: Any, tmp_pat
     hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), START_S, "the proof")
     assert "Pocket job" in hand.text(f"{D}FlowTitle")
     hand.click(f"{D}Cancel")
-
-
-def simulated(hand: Hand) -> str:
-    """Return the titles around the list of findings, from within to without."""
-    widget, found = hand.find("CNCStepper_Findings_list"), []
-    while widget is not None:
-        found.append(str(widget.windowTitle()))
-        widget = widget.parentWidget()
-    return " ".join(found)

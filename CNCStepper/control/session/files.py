@@ -58,10 +58,12 @@ def session_folder() -> Path:
 
 
 def new_session(folder: Path | None = None, kind: str = SESSION) -> Path:
-    """Return the path for a new session or service file, and remove stale ones."""
+    """Return the path for a new session or service file, and remove stale ones; names sort by their time, in us."""
     folder = folder or session_folder()
     _prune(folder)
-    return folder / f"{time.strftime('%Y%m%d-%H%M%S')}-{secrets.token_hex(4)}{kind}"
+    seconds, rest_ns = divmod(time.time_ns(), 1_000_000_000)
+    begun = time.strftime("%Y%m%d-%H%M%S", time.localtime(seconds))
+    return folder / f"{begun}-{rest_ns // 1000:06d}-{secrets.token_hex(4)}{kind}"
 
 
 def sessions(folder: Path | None = None) -> list[Path]:

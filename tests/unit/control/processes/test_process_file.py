@@ -241,6 +241,14 @@ def test_nothing_of_a_living_one_is_pruned_and_nothing_that_is_young(tmp_path, m
     own.remove()
 
 
+def test_files_begun_within_one_second_sort_by_their_beginning(tmp_path):
+    names = []
+    for _ in range(20):
+        names.append(new_session(tmp_path).name)
+        time.sleep(2e-6)  # names count microseconds
+    assert names == sorted(names)
+
+
 def test_a_journal_that_is_being_written_is_not_pruned(tmp_path, monkeypatch):
     monkeypatch.setattr(store, "KEPT_JOBS", 0)
     path = tmp_path / "20261123-000000-a.journal"
