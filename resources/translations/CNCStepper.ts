@@ -3751,7 +3751,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>1. To the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>1: equal depths; 2: equal areas of chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>2. Move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>3. Correct</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4247,6 +4259,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Answered: {0}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Apply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4315,6 +4331,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ask again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4363,11 +4383,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Back up the settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Back up…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Backlash</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Backlash of the axis in the profile; the moves sent compensate it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Backup of settings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4547,6 +4579,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Change that one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Change the programmed value while cutting, in percent.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4607,7 +4643,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Choose the profile that is nearest to your machine, and enter its travel and speeds.</source>
+            <source>Choose what the machine does, and the machine that is nearest to yours.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4675,6 +4711,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Compare what the controller holds with your machine's values or a backup.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Compare with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Comparing the cut with the drawing…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4692,6 +4736,10 @@
         </message>
         <message>
             <source>Connect to the machine first, in the controller's panel.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Connected and idle.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5440,6 +5488,10 @@
         </message>
         <message>
             <source>Find</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Find its port, begin from a machine like yours, measure its axes and save it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6575,6 +6627,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its position is unknown afterwards: home it, or set its zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jaw diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6887,6 +6943,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Look again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Look at a finished job, change its numbers and simulate it.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6904,6 +6964,10 @@
         </message>
         <message>
             <source>Look at the port, then connect again.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Look at the values of your machine, and correct them.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6955,6 +7019,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Machine assistant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine file of FreeCAD</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine file of FreeCAD…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Machine profile</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6964,6 +7040,10 @@
         </message>
         <message>
             <source>Machines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machines of FreeCAD (*.fcm)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7036,6 +7116,10 @@
         </message>
         <message>
             <source>Material that stays between two cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Measure</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7148,6 +7232,10 @@
         </message>
         <message>
             <source>Move a point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move each axis by a known length and type what you measure. Take the tool out, or lift it, and keep a hand at the emergency stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7267,6 +7355,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>No controller with settings has answered.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>No job is unfinished.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7299,6 +7391,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Not now</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Not sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7316,6 +7412,10 @@
         </message>
         <message>
             <source>Nothing changes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nothing is connected.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7492,6 +7592,10 @@
         </message>
         <message>
             <source>One step on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Only differences</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7780,6 +7884,10 @@
         </message>
         <message>
             <source>Please report it, with the details, at {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plug the machine in and choose its port. Without a machine go to Next.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8351,6 +8459,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Save the machine under a name: jobs and the controller's panel offer it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Save these rules as a template of the shop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8471,11 +8583,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Set up a machine…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Set up my machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Settings (*.txt *.nc *.gcode)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Settings (*.txt)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8795,6 +8923,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Steps of the ramp</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8908,6 +9040,10 @@
         </message>
         <message>
             <source>Take the chosen part from its sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the controller's values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9268,6 +9404,10 @@
         </message>
         <message>
             <source>The layer in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length is right: nothing to correct.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9671,6 +9811,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The values of the controller are in the fields.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9731,6 +9875,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>There is a machine {0} already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>There is no restart to send yet.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9756,6 +9904,10 @@
         </message>
         <message>
             <source>This card does not come again by itself: it is in the menu CNCStepper, First steps.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This computer itself is the controller, by the machine's profile.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10075,6 +10227,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Warning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10371,11 +10527,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Write</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write for FreeCAD…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Write program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Write the differences…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Write the one checked program of all copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write {0} settings to the controller?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write {0} to the controller?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10468,6 +10644,10 @@
         </message>
         <message>
             <source>Zip with packages ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a backup…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11579,6 +11759,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine's values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the nearest edge</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11664,6 +11848,10 @@
         </message>
         <message>
             <source>tube</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11775,6 +11963,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} has {1:g} steps per mm now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is as its file again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11783,11 +11975,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is new: that is your machine.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is no operation and is not moved</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is read. What it does not have comes from the machine on the left.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is written and read back.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is written. New jobs can use it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11823,6 +12031,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} of {1} settings are written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} on layer '{1}' at X {2} Y {3}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11844,6 +12056,18 @@
         </message>
         <message>
             <source>{0} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} settings are written and read back.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} settings differ.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} settings, axes {1}.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11920,6 +12144,10 @@
         </message>
         <message>
             <source>{0}: its operations are replaced</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: {1:g} steps per mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12159,6 +12387,10 @@
         </message>
         <message>
             <source>00 to 99, in tenths of a mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>; settings of {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12503,6 +12735,10 @@
         </message>
         <message>
             <source>Flanges and plates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC keeps its settings in its configuration file, not by $ numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13366,6 +13602,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a limit, speed or power in the file is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a line does not fit the controller's buffer</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14182,6 +14422,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14331,6 +14575,10 @@
         </message>
         <message>
             <source>automatic mode: from here on the link cannot stop the lathe, and only switching it off returns it to manual mode</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>axes that home to their negative end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14534,6 +14782,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>change config.yaml on the controller, or its page in the browser, then read the settings again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>change one of its dimensions</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14543,6 +14795,10 @@
         </message>
         <message>
             <source>change the distance or the tolerance a little</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change the machine's profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14954,6 +15210,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>compare again to see what it holds now; correct that setting, or leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>compute it in several lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15294,7 +15554,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>debounce of the limit switches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>delay before the motors are switched off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15559,6 +15827,10 @@
         </message>
         <message>
             <source>facing takes a right-hand tool for the outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>fast homing speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16050,6 +16322,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>hard limits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>has no</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16059,6 +16335,10 @@
         </message>
         <message>
             <source>heights differ by {rise:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>highest spindle speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16127,6 +16407,10 @@
         </message>
         <message>
             <source>homing can be stopped</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>homing cycle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16207,6 +16491,26 @@
         </message>
         <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted directions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted enable pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted limit pins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted probe pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted step pins</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16654,6 +16958,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>junction deviation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>keep half a kerf beside the part</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16707,6 +17015,10 @@
         </message>
         <message>
             <source>larger than {largest_bytes} MB</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>laser mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16958,6 +17270,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>look at its memory and its supply, then write them again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at its name and rights</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17075,6 +17391,10 @@
         </message>
         <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lowest spindle speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18562,6 +18882,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>reports in inches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>reset it, then home it or set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18706,7 +19030,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>save one with a backup</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save the file as UTF-8 text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save the machine again in FreeCAD's machine editor (CAM)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18982,7 +19314,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>slow homing speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>smooth_mm belongs to points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>soft limits</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19103,6 +19443,10 @@
         </message>
         <message>
             <source>starts the spindle at {spindle_rpm:g} rpm, {sense}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>step pulse</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19810,6 +20154,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller refused {line}: {answer}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller refused {line}: {meaning} (error:{error})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19847,6 +20195,10 @@
         </message>
         <message>
             <source>the controller stopped by a critical fault</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller took the settings, but holds others when they are read back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20327,6 +20679,10 @@
         </message>
         <message>
             <source>the file holds no object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file holds no settings of a controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20903,6 +21259,10 @@
         </message>
         <message>
             <source>the machine has no {name} coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine has not the axes X and Y, or X and Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22558,7 +22918,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is no machine file of FreeCAD: it has no axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is no pulse letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is no setting: {line}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23350,7 +23718,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>way back from a limit switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>way out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what a status report holds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23675,6 +24051,10 @@
         </message>
         <message>
             <source>write each program so that it can run on its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write each setting as $number=value, as $$ prints it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24050,6 +24430,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{axis}: highest speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{axis}: steps per mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{beyond_mm:.3f} mm beyond</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24079,6 +24467,10 @@
         </message>
         <message>
             <source>{code} needs a {letter} word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{controller} has no settings of its own: the profile has them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24207,6 +24599,10 @@
         </message>
         <message>
             <source>{doing} takes more memory than there is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{done} of {count} settings written</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24742,6 +25138,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name}, version {version}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name}, version {version}, on {board}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25054,6 +25458,17 @@
         </message>
         <message>
             <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Assistant</name>
+        <message>
+            <source>Machine assistant…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sets a machine up: port, values, measured axes, settings, and a profile of its own</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -3751,8 +3751,20 @@
             <translation>1 a 9, onde fica a ponta; 0: conforme o tipo e a mão</translation>
         </message>
         <message>
+            <source>1. To the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>1: equal depths; 2: equal areas of chip</source>
             <translation>1: profundidades iguais; 2: áreas de cavaco iguais</translation>
+        </message>
+        <message>
+            <source>2. Move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>3. Correct</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>45° blade</source>
@@ -4247,6 +4259,10 @@
             <translation>Responda à pergunta do zero da peça com Iniciar. Na máquina virtual o caminho está livre.</translation>
         </message>
         <message>
+            <source>Answered: {0}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Apply</source>
             <translation>Aplicar</translation>
         </message>
@@ -4315,6 +4331,10 @@
             <translation>Como as tabelas de corte da máquina o chamam</translation>
         </message>
         <message>
+            <source>Ask again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
@@ -4363,12 +4383,24 @@
             <translation>Voltar daqui ao início</translation>
         </message>
         <message>
+            <source>Back up the settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Back up…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Backlash</source>
             <translation>Folga</translation>
         </message>
         <message>
             <source>Backlash of the axis in the profile; the moves sent compensate it</source>
             <translation>O que o eixo perde em uma inversão, como diz o perfil; os movimentos enviados compensam</translation>
+        </message>
+        <message>
+            <source>Backup of settings</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Bar</source>
@@ -4547,6 +4579,10 @@
             <translation>Mudança da espera</translation>
         </message>
         <message>
+            <source>Change that one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Change the programmed value while cutting, in percent.</source>
             <translation>Ajusta o valor programado durante o corte, em porcento.</translation>
         </message>
@@ -4607,8 +4643,8 @@
             <translation>Escolha aqui</translation>
         </message>
         <message>
-            <source>Choose the profile that is nearest to your machine, and enter its travel and speeds.</source>
-            <translation>Escolha o perfil mais próximo da sua máquina e informe cursos e velocidades.</translation>
+            <source>Choose what the machine does, and the machine that is nearest to yours.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Chuck</source>
@@ -4675,6 +4711,14 @@
             <translation>Comprimento comandado</translation>
         </message>
         <message>
+            <source>Compare what the controller holds with your machine's values or a backup.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Compare with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Comparing the cut with the drawing…</source>
             <translation>Comparando o corte com o desenho…</translation>
         </message>
@@ -4693,6 +4737,10 @@
         <message>
             <source>Connect to the machine first, in the controller's panel.</source>
             <translation>Conecte primeiro à máquina, no painel do controlador.</translation>
+        </message>
+        <message>
+            <source>Connected and idle.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Connected and idle. Take the tool out, or lift it.</source>
@@ -5441,6 +5489,10 @@
         <message>
             <source>Find</source>
             <translation>Localizar</translation>
+        </message>
+        <message>
+            <source>Find its port, begin from a machine like yours, measure its axes and save it.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Find the cause, then home the machine or unlock it.</source>
@@ -6575,6 +6627,10 @@
             <translation>O nome dela, que é o da operação</translation>
         </message>
         <message>
+            <source>Its position is unknown afterwards: home it, or set its zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jaw diameter</source>
             <translation>Diâmetro das castanhas</translation>
         </message>
@@ -6887,6 +6943,10 @@
             <translation>Roda de trava</translation>
         </message>
         <message>
+            <source>Look again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Look at a finished job, change its numbers and simulate it.</source>
             <translation>Veja um trabalho pronto, mude os números e simule.</translation>
         </message>
@@ -6905,6 +6965,10 @@
         <message>
             <source>Look at the port, then connect again.</source>
             <translation>Examine a porta e conecte de novo.</translation>
+        </message>
+        <message>
+            <source>Look at the values of your machine, and correct them.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Look-ahead</source>
@@ -6955,6 +7019,18 @@
             <translation>Máquina</translation>
         </message>
         <message>
+            <source>Machine assistant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine file of FreeCAD</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine file of FreeCAD…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Machine profile</source>
             <translation>Perfil da máquina</translation>
         </message>
@@ -6965,6 +7041,10 @@
         <message>
             <source>Machines</source>
             <translation>Máquinas</translation>
+        </message>
+        <message>
+            <source>Machines of FreeCAD (*.fcm)</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Made from</source>
@@ -7037,6 +7117,10 @@
         <message>
             <source>Material that stays between two cuts</source>
             <translation>Material que fica entre dois cortes</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Measured</source>
@@ -7149,6 +7233,10 @@
         <message>
             <source>Move a point</source>
             <translation>Mover um ponto</translation>
+        </message>
+        <message>
+            <source>Move each axis by a known length and type what you measure. Take the tool out, or lift it, and keep a hand at the emergency stop.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Move for as long as an arrow is held down; letting go stops.</source>
@@ -7267,6 +7355,10 @@
             <translation>Nenhum controlador está conectado.</translation>
         </message>
         <message>
+            <source>No controller with settings has answered.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>No job is unfinished.</source>
             <translation>Nenhum trabalho está inacabado.</translation>
         </message>
@@ -7299,6 +7391,10 @@
             <translation>Desconectado</translation>
         </message>
         <message>
+            <source>Not now</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Not sent</source>
             <translation>Não enviado</translation>
         </message>
@@ -7317,6 +7413,10 @@
         <message>
             <source>Nothing changes.</source>
             <translation>Nada muda.</translation>
+        </message>
+        <message>
+            <source>Nothing is connected.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Nothing moves that could be held.</source>
@@ -7493,6 +7593,10 @@
         <message>
             <source>One step on</source>
             <translation>Um passo adiante</translation>
+        </message>
+        <message>
+            <source>Only differences</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Open a G-code file</source>
@@ -7781,6 +7885,10 @@
         <message>
             <source>Please report it, with the details, at {0}</source>
             <translation>Relate-a, com os detalhes, em {0}</translation>
+        </message>
+        <message>
+            <source>Plug the machine in and choose its port. Without a machine go to Next.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Plunge feed</source>
@@ -8351,6 +8459,10 @@
             <translation>Salvar modelo</translation>
         </message>
         <message>
+            <source>Save the machine under a name: jobs and the controller's panel offer it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Save these rules as a template of the shop</source>
             <translation>Salva estas regras como um modelo da oficina</translation>
         </message>
@@ -8471,12 +8583,28 @@
             <translation>Enviado à frente no máximo</translation>
         </message>
         <message>
+            <source>Set up a machine…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Set up my machine</source>
             <translation>Configurar minha máquina</translation>
         </message>
         <message>
             <source>Setting</source>
             <translation>Composição</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Settings (*.txt *.nc *.gcode)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Settings (*.txt)</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Shaft: turned on a lathe</source>
@@ -8795,6 +8923,10 @@
             <translation>Motor de passo (malha aberta)</translation>
         </message>
         <message>
+            <source>Steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Steps of the ramp</source>
             <translation>Passos da rampa</translation>
         </message>
@@ -8909,6 +9041,10 @@
         <message>
             <source>Take the chosen part from its sheet</source>
             <translation>Retirar a peça escolhida da sua chapa</translation>
+        </message>
+        <message>
+            <source>Take the controller's values</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Take the dial's reading from both sides first.</source>
@@ -9269,6 +9405,10 @@
         <message>
             <source>The layer in the file</source>
             <translation>A camada no arquivo</translation>
+        </message>
+        <message>
+            <source>The length is right: nothing to correct.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>The length of all cuts</source>
@@ -9671,6 +9811,10 @@
             <translation>A tocha acima da chapa enquanto perfura; 0: a altura da tabela</translation>
         </message>
         <message>
+            <source>The values of the controller are in the fields.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
             <translation>As esperas entre passos a partir do repouso, em ms, nenhuma maior que a anterior</translation>
         </message>
@@ -9731,6 +9875,10 @@
             <translation>Seu diâmetro; pinos por eles alinham as chapas; 0: nenhum</translation>
         </message>
         <message>
+            <source>There is a machine {0} already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>There is no restart to send yet.</source>
             <translation>Ainda não há reinício para enviar.</translation>
         </message>
@@ -9757,6 +9905,10 @@
         <message>
             <source>This card does not come again by itself: it is in the menu CNCStepper, First steps.</source>
             <translation>Este cartão não volta sozinho: está no menu CNCStepper, Primeiros passos.</translation>
+        </message>
+        <message>
+            <source>This computer itself is the controller, by the machine's profile.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
@@ -10075,6 +10227,10 @@
             <translation>Avanço na parede</translation>
         </message>
         <message>
+            <source>Wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Warning</source>
             <translation>Aviso</translation>
         </message>
@@ -10371,12 +10527,32 @@
             <translation>Zero-peça</translation>
         </message>
         <message>
+            <source>Write</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write for FreeCAD…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Write program</source>
             <translation>Gravar programa</translation>
         </message>
         <message>
+            <source>Write the differences…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Write the one checked program of all copies</source>
             <translation>Gravar o programa único e verificado de todas as cópias</translation>
+        </message>
+        <message>
+            <source>Write {0} settings to the controller?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write {0} to the controller?</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Writes the text into a file</source>
@@ -10469,6 +10645,10 @@
         <message>
             <source>Zip with packages ({0})</source>
             <translation>Zip com pacotes ({0})</translation>
+        </message>
+        <message>
+            <source>a backup…</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a comment</source>
@@ -11579,6 +11759,10 @@
             <translation>o da máquina</translation>
         </message>
         <message>
+            <source>the machine's values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the nearest edge</source>
             <translation>a borda mais próxima</translation>
         </message>
@@ -11665,6 +11849,10 @@
         <message>
             <source>tube</source>
             <translation>tubo</translation>
+        </message>
+        <message>
+            <source>turning</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>turning outside</source>
@@ -11775,6 +11963,10 @@
             <translation>{0} não tem o que usinar: adicione uma operação</translation>
         </message>
         <message>
+            <source>{0} has {1:g} steps per mm now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is as its file again</source>
             <translation>{0} está de novo como seu arquivo</translation>
         </message>
@@ -11783,12 +11975,28 @@
             <translation>{0} é usinada com ela; escolha antes outra ferramenta lá</translation>
         </message>
         <message>
+            <source>{0} is new: that is your machine.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is no operation and is not moved</source>
             <translation>{0} não é uma operação e não é movido</translation>
         </message>
         <message>
+            <source>{0} is read. What it does not have comes from the machine on the left.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is written and read back.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is written.</source>
             <translation>{0} foi gravado.</translation>
+        </message>
+        <message>
+            <source>{0} is written. New jobs can use it.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0} is {1} now: save it.</source>
@@ -11823,6 +12031,10 @@
             <translation>{0} de {1} linhas, linha {2} do arquivo, enviado até a linha {3}</translation>
         </message>
         <message>
+            <source>{0} of {1} settings are written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} on layer '{1}' at X {2} Y {3}</source>
             <translation>{0} na camada '{1}' em X {2} Y {3}</translation>
         </message>
@@ -11845,6 +12057,18 @@
         <message>
             <source>{0} rpm</source>
             <translation>{0} rpm</translation>
+        </message>
+        <message>
+            <source>{0} settings are written and read back.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} settings differ.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} settings, axes {1}.</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0} slices, {1} pieces on {2} sheets of material; volume {3} % of the solid</source>
@@ -11921,6 +12145,10 @@
         <message>
             <source>{0}: its operations are replaced</source>
             <translation>{0}: as operações dele são trocadas</translation>
+        </message>
+        <message>
+            <source>{0}: {1:g} steps per mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{0}: {1}</source>
@@ -12160,6 +12388,10 @@
         <message>
             <source>00 to 99, in tenths of a mm</source>
             <translation>00 a 99, em décimos de mm</translation>
+        </message>
+        <message>
+            <source>; settings of {0}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -12504,6 +12736,10 @@
         <message>
             <source>Flanges and plates</source>
             <translation>Flanges e chapas</translation>
+        </message>
+        <message>
+            <source>FluidNC keeps its settings in its configuration file, not by $ numbers</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>FreeCAD has no stock of a height field</source>
@@ -13366,6 +13602,10 @@
             <translation>um fim de curso estava acionado antes do referenciamento, e não se sabe qual</translation>
         </message>
         <message>
+            <source>a limit, speed or power in the file is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a line does not fit the controller's buffer</source>
             <translation>uma linha não cabe no buffer do controlador</translation>
         </message>
@@ -14182,6 +14422,10 @@
             <translation>vindo de cima, o eixo fica abaixo de onde fica vindo de baixo</translation>
         </message>
         <message>
+            <source>arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>arcs are in XY</source>
             <translation>os arcos ficam em XY</translation>
         </message>
@@ -14332,6 +14576,10 @@
         <message>
             <source>automatic mode: from here on the link cannot stop the lathe, and only switching it off returns it to manual mode</source>
             <translation>modo automático: daqui em diante nada para o torno pela sua ligação, e não há volta ao modo manual até que ele seja desligado</translation>
+        </message>
+        <message>
+            <source>axes that home to their negative end</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>axis offsets may not be changed</source>
@@ -14534,6 +14782,10 @@
             <translation>altere F no programa</translation>
         </message>
         <message>
+            <source>change config.yaml on the controller, or its page in the browser, then read the settings again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>change one of its dimensions</source>
             <translation>mude uma das dimensões</translation>
         </message>
@@ -14544,6 +14796,10 @@
         <message>
             <source>change the distance or the tolerance a little</source>
             <translation>mude um pouco a distância ou a tolerância</translation>
+        </message>
+        <message>
+            <source>change the machine's profile</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>change the text to start it again</source>
@@ -14954,6 +15210,10 @@
             <translation>cncstepper disconnect --port {port}, depois conecte de novo</translation>
         </message>
         <message>
+            <source>compare again to see what it holds now; correct that setting, or leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>compute it in several lines</source>
             <translation>calcule-a em várias linhas</translation>
         </message>
@@ -15294,8 +15554,16 @@
             <translation>dask.distributed não está instalado</translation>
         </message>
         <message>
+            <source>debounce of the limit switches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
             <translation>defina-a ou ponha o seu arquivo ao lado do programa</translation>
+        </message>
+        <message>
+            <source>delay before the motors are switched off</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>describe it in a [[tool]] table</source>
@@ -15560,6 +15828,10 @@
         <message>
             <source>facing takes a right-hand tool for the outside</source>
             <translation>o faceamento usa uma ferramenta externa direita</translation>
+        </message>
+        <message>
+            <source>fast homing speed</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>feed mode set to inverse time</source>
@@ -16050,6 +16322,10 @@
             <translation>a metade da diferença dos diâmetros</translation>
         </message>
         <message>
+            <source>hard limits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>has no</source>
             <translation>não tem</translation>
         </message>
@@ -16060,6 +16336,10 @@
         <message>
             <source>heights differ by {rise:.4g} mm</source>
             <translation>as alturas diferem em {rise:.4g} mm</translation>
+        </message>
+        <message>
+            <source>highest spindle speed</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>hold it first</source>
@@ -16128,6 +16408,10 @@
         <message>
             <source>homing can be stopped</source>
             <translation>o referenciamento pode ser parado</translation>
+        </message>
+        <message>
+            <source>homing cycle</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>homing found no limit switch</source>
@@ -16208,6 +16492,26 @@
         <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
             <translation>instale-os em um (python -m pip install {packages}), ou aponte {variable} para um Python que os tenha</translation>
+        </message>
+        <message>
+            <source>inverted directions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted enable pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted limit pins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted probe pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted step pins</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>is read as a line of its own, in a whole program, where the dialect has subroutines</source>
@@ -16654,6 +16958,10 @@
             <translation>junte-os em um só contorno, ou mova um deles</translation>
         </message>
         <message>
+            <source>junction deviation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>keep half a kerf beside the part</source>
             <translation>fique meia largura de corte ao lado da peça</translation>
         </message>
@@ -16708,6 +17016,10 @@
         <message>
             <source>larger than {largest_bytes} MB</source>
             <translation>maior que {largest_bytes} MB</translation>
+        </message>
+        <message>
+            <source>laser mode</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>laser mode needs a spindle of the kind Laser</source>
@@ -16958,6 +17270,10 @@
             <translation>veja maiúsculas e minúsculas, ou procure também nos comentários</translation>
         </message>
         <message>
+            <source>look at its memory and its supply, then write them again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at its name and rights</source>
             <translation>veja seu nome e suas permissões</translation>
         </message>
@@ -17076,6 +17392,10 @@
         <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
             <translation>diminua a penetração de trabalho, entre em hélice, ou deixe menos material nos cantos</translation>
+        </message>
+        <message>
+            <source>lowest spindle speed</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>machines with more than three axes are not written for Mach yet</source>
@@ -18562,6 +18882,10 @@
             <translation>repare o sólido ou use outra espessura</translation>
         </message>
         <message>
+            <source>reports in inches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>reset it, then home it or set its zero again</source>
             <translation>reinicie-o; depois referencie a máquina ou defina o zero de novo</translation>
         </message>
@@ -18706,8 +19030,16 @@
             <translation>salve-o com os estilos como atributos</translation>
         </message>
         <message>
+            <source>save one with a backup</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save the file as UTF-8 text</source>
             <translation>salve o arquivo como texto UTF-8</translation>
+        </message>
+        <message>
+            <source>save the machine again in FreeCAD's machine editor (CAM)</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>scale all axes alike</source>
@@ -18982,8 +19314,16 @@
             <translation>fatie de novo</translation>
         </message>
         <message>
+            <source>slow homing speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>smooth_mm belongs to points</source>
             <translation>smooth_mm pertence a points</translation>
+        </message>
+        <message>
+            <source>soft limits</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>soft limits need homing</source>
@@ -19104,6 +19444,10 @@
         <message>
             <source>starts the spindle at {spindle_rpm:g} rpm, {sense}</source>
             <translation>liga o fuso a {spindle_rpm:g} rpm, {sense}</translation>
+        </message>
+        <message>
+            <source>step pulse</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>stepover_mm (ae)</source>
@@ -19810,6 +20154,10 @@
             <translation>o controlador recusou a linha</translation>
         </message>
         <message>
+            <source>the controller refused {line}: {answer}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller refused {line}: {meaning} (error:{error})</source>
             <translation>o controlador recusou {line}: {meaning} (error:{error})</translation>
         </message>
@@ -19848,6 +20196,10 @@
         <message>
             <source>the controller stopped by a critical fault</source>
             <translation>o controlador parou por uma falha crítica</translation>
+        </message>
+        <message>
+            <source>the controller took the settings, but holds others when they are read back</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the controller waits for its new tool</source>
@@ -20328,6 +20680,10 @@
         <message>
             <source>the file holds no object</source>
             <translation>o arquivo não contém um objeto</translation>
+        </message>
+        <message>
+            <source>the file holds no settings of a controller</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the file is empty</source>
@@ -20904,6 +21260,10 @@
         <message>
             <source>the machine has no {name} coolant</source>
             <translation>a máquina não tem refrigeração {name}</translation>
+        </message>
+        <message>
+            <source>the machine has not the axes X and Y, or X and Z</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the machine has one spindle, number 0</source>
@@ -22558,8 +22918,16 @@
             <translation>isto não é uma entrada de máquina: {error}</translation>
         </message>
         <message>
+            <source>this is no machine file of FreeCAD: it has no axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is no pulse letter</source>
             <translation>isto não é uma letra de pulso</translation>
+        </message>
+        <message>
+            <source>this is no setting: {line}</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this is no word that can be edited</source>
@@ -23350,8 +23718,16 @@
             <translation>acorde-a com um reset e referencie-a</translation>
         </message>
         <message>
+            <source>way back from a limit switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>way out</source>
             <translation>caminho de saída</translation>
+        </message>
+        <message>
+            <source>what a status report holds</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>what lies inside an outline is faced with it</source>
@@ -23676,6 +24052,10 @@
         <message>
             <source>write each program so that it can run on its own</source>
             <translation>escreva cada programa de modo que funcione sozinho</translation>
+        </message>
+        <message>
+            <source>write each setting as $number=value, as $$ prints it</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write each turn</source>
@@ -24050,6 +24430,14 @@
             <translation>a {away_mm:.3f} mm de distância</translation>
         </message>
         <message>
+            <source>{axis}: highest speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{axis}: steps per mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{beyond_mm:.3f} mm beyond</source>
             <translation>{beyond_mm:.3f} mm além</translation>
         </message>
@@ -24080,6 +24468,10 @@
         <message>
             <source>{code} needs a {letter} word</source>
             <translation>{code} precisa de uma palavra {letter}</translation>
+        </message>
+        <message>
+            <source>{controller} has no settings of its own: the profile has them</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{counts} at one place</source>
@@ -24208,6 +24600,10 @@
         <message>
             <source>{doing} takes more memory than there is</source>
             <translation>{doing} precisa de mais memória do que há</translation>
+        </message>
+        <message>
+            <source>{done} of {count} settings written</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{doubles} boundaries of hatches are drawn as lines too; they are read once</source>
@@ -24742,6 +25138,14 @@
             <translation>{name} funciona no plano ZX</translation>
         </message>
         <message>
+            <source>{name}, version {version}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name}, version {version}, on {board}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
             <translation>{number:.0f} pulsos/s, o pior com {worst_us:.0f} µs de atraso</translation>
         </message>
@@ -25055,6 +25459,17 @@
         <message>
             <source>Places programs on the work surface with the mouse, and makes one program of them</source>
             <translation>Coloca programas na superfície de trabalho com o mouse e faz deles um só programa</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Assistant</name>
+        <message>
+            <source>Machine assistant…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sets a machine up: port, values, measured axes, settings, and a profile of its own</source>
+            <translation type="unfinished"></translation>
         </message>
     </context>
     <context>

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from CNCStepper.control.protocol.grbl.firmware import GRBL, OWN_FIRMWARES, Firmware, firmware_of_tag
 from CNCStepper.control.settings.setting_names import AXES, STEPS_PER_MM
@@ -39,6 +39,10 @@ class ControllerIdentity:
     def axes(self) -> str:
         """The letters of its axes, as its settings have them."""
         return "".join(axis for place, axis in enumerate(AXES) if STEPS_PER_MM + place in self.settings)
+
+    def with_settings(self, settings: Mapping[int, float]) -> ControllerIdentity:
+        """Return the same with the settings that were read later."""
+        return replace(self, settings=dict(settings))
 
     @property
     def text(self) -> Text:

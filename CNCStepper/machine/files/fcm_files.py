@@ -87,7 +87,8 @@ def _axis(path: Path, base: Mapping[str, Any], name: str, told: Mapping[str, Any
     """Return an axis with the file's travel and speed; one that the base has not is made like its X."""
     axes = base.get("axis", {})
     axis = copy.deepcopy(axes.get(name) or axes.get("x") or {})
-    limits = told.get("limits") if isinstance(told.get("limits"), dict) else told
+    given = told.get("limits")
+    limits = given if isinstance(given, dict) else told
     values = {"travel_min_mm": limits.get("min"), "travel_max_mm": limits.get("max")}
     values["max_rate_mm_min"] = told.get("max_velocity")
     return axis | {key: _number(path, value) for key, value in values.items() if value is not None}
