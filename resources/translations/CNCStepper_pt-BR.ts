@@ -3752,7 +3752,7 @@
         </message>
         <message>
             <source>1. To the start</source>
-            <translation type="unfinished"></translation>
+            <translation>1. Ao início</translation>
         </message>
         <message>
             <source>1: equal depths; 2: equal areas of chip</source>
@@ -3760,11 +3760,11 @@
         </message>
         <message>
             <source>2. Move</source>
-            <translation type="unfinished"></translation>
+            <translation>2. Mover</translation>
         </message>
         <message>
             <source>3. Correct</source>
-            <translation type="unfinished"></translation>
+            <translation>3. Corrigir</translation>
         </message>
         <message>
             <source>45° blade</source>
@@ -4260,7 +4260,7 @@
         </message>
         <message>
             <source>Answered: {0}.</source>
-            <translation type="unfinished"></translation>
+            <translation>Respondeu: {0}.</translation>
         </message>
         <message>
             <source>Apply</source>
@@ -4332,7 +4332,7 @@
         </message>
         <message>
             <source>Ask again</source>
-            <translation type="unfinished"></translation>
+            <translation>Perguntar de novo</translation>
         </message>
         <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
@@ -4384,11 +4384,11 @@
         </message>
         <message>
             <source>Back up the settings</source>
-            <translation type="unfinished"></translation>
+            <translation>Guardar cópia dos ajustes</translation>
         </message>
         <message>
             <source>Back up…</source>
-            <translation type="unfinished"></translation>
+            <translation>Guardar cópia…</translation>
         </message>
         <message>
             <source>Backlash</source>
@@ -4400,7 +4400,7 @@
         </message>
         <message>
             <source>Backup of settings</source>
-            <translation type="unfinished"></translation>
+            <translation>Cópia dos ajustes</translation>
         </message>
         <message>
             <source>Bar</source>
@@ -4580,7 +4580,7 @@
         </message>
         <message>
             <source>Change that one</source>
-            <translation type="unfinished"></translation>
+            <translation>Alterar essa</translation>
         </message>
         <message>
             <source>Change the programmed value while cutting, in percent.</source>
@@ -4644,7 +4644,7 @@
         </message>
         <message>
             <source>Choose what the machine does, and the machine that is nearest to yours.</source>
-            <translation type="unfinished"></translation>
+            <translation>Escolha o que a máquina faz e a máquina mais parecida com a sua.</translation>
         </message>
         <message>
             <source>Chuck</source>
@@ -4712,11 +4712,11 @@
         </message>
         <message>
             <source>Compare what the controller holds with your machine's values or a backup.</source>
-            <translation type="unfinished"></translation>
+            <translation>Compare o que o controlador guarda com os valores da sua máquina ou com uma cópia.</translation>
         </message>
         <message>
             <source>Compare with</source>
-            <translation type="unfinished"></translation>
+            <translation>Comparar com</translation>
         </message>
         <message>
             <source>Comparing the cut with the drawing…</source>
@@ -4740,7 +4740,7 @@
         </message>
         <message>
             <source>Connected and idle.</source>
-            <translation type="unfinished"></translation>
+            <translation>Conectada e parada.</translation>
         </message>
         <message>
             <source>Connected and idle. Take the tool out, or lift it.</source>
@@ -5492,7 +5492,7 @@
         </message>
         <message>
             <source>Find its port, begin from a machine like yours, measure its axes and save it.</source>
-            <translation type="unfinished"></translation>
+            <translation>Ache a porta, comece por uma máquina como a sua, meça os eixos e salve.</translation>
         </message>
         <message>
             <source>Find the cause, then home the machine or unlock it.</source>
@@ -6628,7 +6628,7 @@
         </message>
         <message>
             <source>Its position is unknown afterwards: home it, or set its zero.</source>
-            <translation type="unfinished"></translation>
+            <translation>Depois disso a posição é desconhecida: referencie a máquina ou defina o zero.</translation>
         </message>
         <message>
             <source>Jaw diameter</source>
@@ -6944,7 +6944,7 @@
         </message>
         <message>
             <source>Look again</source>
-            <translation type="unfinished"></translation>
+            <translation>Procurar de novo</translation>
         </message>
         <message>
             <source>Look at a finished job, change its numbers and simulate it.</source>
@@ -6968,7 +6968,7 @@
         </message>
         <message>
             <source>Look at the values of your machine, and correct them.</source>
-            <translation type="unfinished"></translation>
+            <translation>Confira os valores da sua máquina e corrija-os.</translation>
         </message>
         <message>
             <source>Look-ahead</source>
@@ -7020,15 +7020,15 @@
         </message>
         <message>
             <source>Machine assistant</source>
-            <translation type="unfinished"></translation>
+            <translation>Assistente de máquina</translation>
         </message>
         <message>
             <source>Machine file of FreeCAD</source>
-            <translation type="unfinished"></translation>
+            <translation>Arquivo de máquina do FreeCAD</translation>
         </message>
         <message>
             <source>Machine file of FreeCAD…</source>
-            <translation type="unfinished"></translation>
+            <translation>Arquivo de máquina do FreeCAD…</translation>
         </message>
         <message>
             <source>Machine profile</source>
@@ -7044,7 +7044,7 @@
         </message>
         <message>
             <source>Machines of FreeCAD (*.fcm)</source>
-            <translation type="unfinished"></translation>
+            <translation>Máquinas do FreeCAD (*.fcm)</translation>
         </message>
         <message>
             <source>Made from</source>
@@ -7120,7 +7120,7 @@
         </message>
         <message>
             <source>Measure</source>
-            <translation type="unfinished"></translation>
+            <translation>Medir</translation>
         </message>
         <message>
             <source>Measured</source>
@@ -7236,7 +7236,7 @@
         </message>
         <message>
             <source>Move each axis by a known length and type what you measure. Take the tool out, or lift it, and keep a hand at the emergency stop.</source>
-            <translation type="unfinished"></translation>
+            <translation>Mova cada eixo por um comprimento conhecido e digite o que mediu. Tire ou levante a ferramenta e fique com a mão na parada de emergência.</translation>
         </message>
         <message>
             <source>Move for as long as an arrow is held down; letting go stops.</source>
@@ -7356,7 +7356,7 @@
         </message>
         <message>
             <source>No controller with settings has answered.</source>
-            <translation type="unfinished"></translation>
+            <translation>Nenhum controlador com ajustes respondeu.</translation>
         </message>
         <message>
             <source>No job is unfinished.</source>
@@ -7392,7 +7392,7 @@
         </message>
         <message>
             <source>Not now</source>
-            <translation type="unfinished"></translation>
+            <translation>Agora não</translation>
         </message>
         <message>
             <source>Not sent</source>
@@ -7416,7 +7416,7 @@
         </message>
         <message>
             <source>Nothing is connected.</source>
-            <translation type="unfinished"></translation>
+            <translation>Nada está conectado.</translation>
         </message>
         <message>
             <source>Nothing moves that could be held.</source>
@@ -7596,7 +7596,7 @@
         </message>
         <message>
             <source>Only differences</source>
-            <translation type="unfinished"></translation>
+            <translation>Só diferenças</translation>
         </message>
         <message>
             <source>Open a G-code file</source>
@@ -7888,7 +7888,7 @@
         </message>
         <message>
             <source>Plug the machine in and choose its port. Without a machine go to Next.</source>
-            <translation type="unfinished"></translation>
+            <translation>Ligue a máquina e escolha a porta. Sem máquina, siga em Próximo.</translation>
         </message>
         <message>
             <source>Plunge feed</source>
@@ -8460,7 +8460,7 @@
         </message>
         <message>
             <source>Save the machine under a name: jobs and the controller's panel offer it.</source>
-            <translation type="unfinished"></translation>
+            <translation>Salve a máquina com um nome: os trabalhos e o painel do controlador a oferecem.</translation>
         </message>
         <message>
             <source>Save these rules as a template of the shop</source>
@@ -8584,7 +8584,7 @@
         </message>
         <message>
             <source>Set up a machine…</source>
-            <translation type="unfinished"></translation>
+            <translation>Configurar máquina…</translation>
         </message>
         <message>
             <source>Set up my machine</source>
@@ -8596,15 +8596,15 @@
         </message>
         <message>
             <source>Settings</source>
-            <translation type="unfinished"></translation>
+            <translation>Ajustes</translation>
         </message>
         <message>
             <source>Settings (*.txt *.nc *.gcode)</source>
-            <translation type="unfinished"></translation>
+            <translation>Ajustes (*.txt *.nc *.gcode)</translation>
         </message>
         <message>
             <source>Settings (*.txt)</source>
-            <translation type="unfinished"></translation>
+            <translation>Ajustes (*.txt)</translation>
         </message>
         <message>
             <source>Shaft: turned on a lathe</source>
@@ -8924,7 +8924,7 @@
         </message>
         <message>
             <source>Steps</source>
-            <translation type="unfinished"></translation>
+            <translation>Etapas</translation>
         </message>
         <message>
             <source>Steps of the ramp</source>
@@ -9044,7 +9044,7 @@
         </message>
         <message>
             <source>Take the controller's values</source>
-            <translation type="unfinished"></translation>
+            <translation>Usar os valores do controlador</translation>
         </message>
         <message>
             <source>Take the dial's reading from both sides first.</source>
@@ -9408,7 +9408,7 @@
         </message>
         <message>
             <source>The length is right: nothing to correct.</source>
-            <translation type="unfinished"></translation>
+            <translation>O comprimento está certo: nada a corrigir.</translation>
         </message>
         <message>
             <source>The length of all cuts</source>
@@ -9812,7 +9812,7 @@
         </message>
         <message>
             <source>The values of the controller are in the fields.</source>
-            <translation type="unfinished"></translation>
+            <translation>Os valores do controlador estão nos campos.</translation>
         </message>
         <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
@@ -9876,7 +9876,7 @@
         </message>
         <message>
             <source>There is a machine {0} already.</source>
-            <translation type="unfinished"></translation>
+            <translation>Já existe uma máquina {0}.</translation>
         </message>
         <message>
             <source>There is no restart to send yet.</source>
@@ -9908,7 +9908,7 @@
         </message>
         <message>
             <source>This computer itself is the controller, by the machine's profile.</source>
-            <translation type="unfinished"></translation>
+            <translation>Este computador é o próprio controlador, conforme o perfil da máquina.</translation>
         </message>
         <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
@@ -10228,7 +10228,7 @@
         </message>
         <message>
             <source>Wanted</source>
-            <translation type="unfinished"></translation>
+            <translation>Desejado</translation>
         </message>
         <message>
             <source>Warning</source>
@@ -10528,11 +10528,11 @@
         </message>
         <message>
             <source>Write</source>
-            <translation type="unfinished"></translation>
+            <translation>Gravar</translation>
         </message>
         <message>
             <source>Write for FreeCAD…</source>
-            <translation type="unfinished"></translation>
+            <translation>Gravar para o FreeCAD…</translation>
         </message>
         <message>
             <source>Write program</source>
@@ -10540,7 +10540,7 @@
         </message>
         <message>
             <source>Write the differences…</source>
-            <translation type="unfinished"></translation>
+            <translation>Gravar as diferenças…</translation>
         </message>
         <message>
             <source>Write the one checked program of all copies</source>
@@ -10548,11 +10548,11 @@
         </message>
         <message>
             <source>Write {0} settings to the controller?</source>
-            <translation type="unfinished"></translation>
+            <translation>Gravar {0} ajustes no controlador?</translation>
         </message>
         <message>
             <source>Write {0} to the controller?</source>
-            <translation type="unfinished"></translation>
+            <translation>Gravar {0} no controlador?</translation>
         </message>
         <message>
             <source>Writes the text into a file</source>
@@ -10648,7 +10648,7 @@
         </message>
         <message>
             <source>a backup…</source>
-            <translation type="unfinished"></translation>
+            <translation>uma cópia…</translation>
         </message>
         <message>
             <source>a comment</source>
@@ -11760,7 +11760,7 @@
         </message>
         <message>
             <source>the machine's values</source>
-            <translation type="unfinished"></translation>
+            <translation>os valores da máquina</translation>
         </message>
         <message>
             <source>the nearest edge</source>
@@ -11852,7 +11852,7 @@
         </message>
         <message>
             <source>turning</source>
-            <translation type="unfinished"></translation>
+            <translation>torneamento</translation>
         </message>
         <message>
             <source>turning outside</source>
@@ -11964,7 +11964,7 @@
         </message>
         <message>
             <source>{0} has {1:g} steps per mm now.</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} tem agora {1:g} passos por mm.</translation>
         </message>
         <message>
             <source>{0} is as its file again</source>
@@ -11976,7 +11976,7 @@
         </message>
         <message>
             <source>{0} is new: that is your machine.</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} é nova: é a sua máquina.</translation>
         </message>
         <message>
             <source>{0} is no operation and is not moved</source>
@@ -11984,11 +11984,11 @@
         </message>
         <message>
             <source>{0} is read. What it does not have comes from the machine on the left.</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} foi lida. O que falta nela vem da máquina à esquerda.</translation>
         </message>
         <message>
             <source>{0} is written and read back.</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} foi gravado e relido.</translation>
         </message>
         <message>
             <source>{0} is written.</source>
@@ -11996,7 +11996,7 @@
         </message>
         <message>
             <source>{0} is written. New jobs can use it.</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} foi gravado. Novos trabalhos podem usá-lo.</translation>
         </message>
         <message>
             <source>{0} is {1} now: save it.</source>
@@ -12032,7 +12032,7 @@
         </message>
         <message>
             <source>{0} of {1} settings are written.</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} de {1} ajustes foram gravados.</translation>
         </message>
         <message>
             <source>{0} on layer '{1}' at X {2} Y {3}</source>
@@ -12060,15 +12060,15 @@
         </message>
         <message>
             <source>{0} settings are written and read back.</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} ajustes foram gravados e relidos.</translation>
         </message>
         <message>
             <source>{0} settings differ.</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} ajustes diferem.</translation>
         </message>
         <message>
             <source>{0} settings, axes {1}.</source>
-            <translation type="unfinished"></translation>
+            <translation>{0} ajustes, eixos {1}.</translation>
         </message>
         <message>
             <source>{0} slices, {1} pieces on {2} sheets of material; volume {3} % of the solid</source>
@@ -12148,7 +12148,7 @@
         </message>
         <message>
             <source>{0}: {1:g} steps per mm</source>
-            <translation type="unfinished"></translation>
+            <translation>{0}: {1:g} passos por mm</translation>
         </message>
         <message>
             <source>{0}: {1}</source>
@@ -12391,7 +12391,7 @@
         </message>
         <message>
             <source>; settings of {0}</source>
-            <translation type="unfinished"></translation>
+            <translation>; ajustes de {0}</translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -12739,7 +12739,7 @@
         </message>
         <message>
             <source>FluidNC keeps its settings in its configuration file, not by $ numbers</source>
-            <translation type="unfinished"></translation>
+            <translation>o FluidNC guarda os ajustes no seu arquivo de configuração, não por números $</translation>
         </message>
         <message>
             <source>FreeCAD has no stock of a height field</source>
@@ -13603,7 +13603,7 @@
         </message>
         <message>
             <source>a limit, speed or power in the file is no number</source>
-            <translation type="unfinished"></translation>
+            <translation>um limite, velocidade ou potência no arquivo não é número</translation>
         </message>
         <message>
             <source>a line does not fit the controller's buffer</source>
@@ -14423,7 +14423,7 @@
         </message>
         <message>
             <source>arc tolerance</source>
-            <translation type="unfinished"></translation>
+            <translation>tolerância de arco</translation>
         </message>
         <message>
             <source>arcs are in XY</source>
@@ -14579,7 +14579,7 @@
         </message>
         <message>
             <source>axes that home to their negative end</source>
-            <translation type="unfinished"></translation>
+            <translation>eixos que referenciam no extremo negativo</translation>
         </message>
         <message>
             <source>axis offsets may not be changed</source>
@@ -14783,7 +14783,7 @@
         </message>
         <message>
             <source>change config.yaml on the controller, or its page in the browser, then read the settings again</source>
-            <translation type="unfinished"></translation>
+            <translation>altere config.yaml no controlador, ou a página dele no navegador, e leia os ajustes de novo</translation>
         </message>
         <message>
             <source>change one of its dimensions</source>
@@ -14799,7 +14799,7 @@
         </message>
         <message>
             <source>change the machine's profile</source>
-            <translation type="unfinished"></translation>
+            <translation>altere o perfil da máquina</translation>
         </message>
         <message>
             <source>change the text to start it again</source>
@@ -15211,7 +15211,7 @@
         </message>
         <message>
             <source>compare again to see what it holds now; correct that setting, or leave it out</source>
-            <translation type="unfinished"></translation>
+            <translation>compare de novo para ver o que ele guarda agora; corrija esse ajuste ou deixe-o fora</translation>
         </message>
         <message>
             <source>compute it in several lines</source>
@@ -15555,7 +15555,7 @@
         </message>
         <message>
             <source>debounce of the limit switches</source>
-            <translation type="unfinished"></translation>
+            <translation>tempo de repique dos fins de curso</translation>
         </message>
         <message>
             <source>define it, or put its file beside the program</source>
@@ -15563,7 +15563,7 @@
         </message>
         <message>
             <source>delay before the motors are switched off</source>
-            <translation type="unfinished"></translation>
+            <translation>espera até desligar os motores</translation>
         </message>
         <message>
             <source>describe it in a [[tool]] table</source>
@@ -15831,7 +15831,7 @@
         </message>
         <message>
             <source>fast homing speed</source>
-            <translation type="unfinished"></translation>
+            <translation>velocidade rápida de referência</translation>
         </message>
         <message>
             <source>feed mode set to inverse time</source>
@@ -16323,7 +16323,7 @@
         </message>
         <message>
             <source>hard limits</source>
-            <translation type="unfinished"></translation>
+            <translation>limites físicos</translation>
         </message>
         <message>
             <source>has no</source>
@@ -16339,7 +16339,7 @@
         </message>
         <message>
             <source>highest spindle speed</source>
-            <translation type="unfinished"></translation>
+            <translation>maior rotação do fuso</translation>
         </message>
         <message>
             <source>hold it first</source>
@@ -16411,7 +16411,7 @@
         </message>
         <message>
             <source>homing cycle</source>
-            <translation type="unfinished"></translation>
+            <translation>ciclo de referência</translation>
         </message>
         <message>
             <source>homing found no limit switch</source>
@@ -16495,23 +16495,23 @@
         </message>
         <message>
             <source>inverted directions</source>
-            <translation type="unfinished"></translation>
+            <translation>sentidos invertidos</translation>
         </message>
         <message>
             <source>inverted enable pin</source>
-            <translation type="unfinished"></translation>
+            <translation>pino de habilitação invertido</translation>
         </message>
         <message>
             <source>inverted limit pins</source>
-            <translation type="unfinished"></translation>
+            <translation>pinos de fim de curso invertidos</translation>
         </message>
         <message>
             <source>inverted probe pin</source>
-            <translation type="unfinished"></translation>
+            <translation>pino da sonda invertido</translation>
         </message>
         <message>
             <source>inverted step pins</source>
-            <translation type="unfinished"></translation>
+            <translation>pinos de passo invertidos</translation>
         </message>
         <message>
             <source>is read as a line of its own, in a whole program, where the dialect has subroutines</source>
@@ -16959,7 +16959,7 @@
         </message>
         <message>
             <source>junction deviation</source>
-            <translation type="unfinished"></translation>
+            <translation>desvio de junção</translation>
         </message>
         <message>
             <source>keep half a kerf beside the part</source>
@@ -17019,7 +17019,7 @@
         </message>
         <message>
             <source>laser mode</source>
-            <translation type="unfinished"></translation>
+            <translation>modo laser</translation>
         </message>
         <message>
             <source>laser mode needs a spindle of the kind Laser</source>
@@ -17271,7 +17271,7 @@
         </message>
         <message>
             <source>look at its memory and its supply, then write them again</source>
-            <translation type="unfinished"></translation>
+            <translation>verifique a memória e a alimentação dele e grave de novo</translation>
         </message>
         <message>
             <source>look at its name and rights</source>
@@ -17395,7 +17395,7 @@
         </message>
         <message>
             <source>lowest spindle speed</source>
-            <translation type="unfinished"></translation>
+            <translation>menor rotação do fuso</translation>
         </message>
         <message>
             <source>machines with more than three axes are not written for Mach yet</source>
@@ -18883,7 +18883,7 @@
         </message>
         <message>
             <source>reports in inches</source>
-            <translation type="unfinished"></translation>
+            <translation>informa em polegadas</translation>
         </message>
         <message>
             <source>reset it, then home it or set its zero again</source>
@@ -19031,7 +19031,7 @@
         </message>
         <message>
             <source>save one with a backup</source>
-            <translation type="unfinished"></translation>
+            <translation>guarde uma cópia primeiro</translation>
         </message>
         <message>
             <source>save the file as UTF-8 text</source>
@@ -19039,7 +19039,7 @@
         </message>
         <message>
             <source>save the machine again in FreeCAD's machine editor (CAM)</source>
-            <translation type="unfinished"></translation>
+            <translation>salve a máquina de novo no editor de máquinas do FreeCAD (CAM)</translation>
         </message>
         <message>
             <source>scale all axes alike</source>
@@ -19315,7 +19315,7 @@
         </message>
         <message>
             <source>slow homing speed</source>
-            <translation type="unfinished"></translation>
+            <translation>velocidade lenta de referência</translation>
         </message>
         <message>
             <source>smooth_mm belongs to points</source>
@@ -19323,7 +19323,7 @@
         </message>
         <message>
             <source>soft limits</source>
-            <translation type="unfinished"></translation>
+            <translation>limites por software</translation>
         </message>
         <message>
             <source>soft limits need homing</source>
@@ -19447,7 +19447,7 @@
         </message>
         <message>
             <source>step pulse</source>
-            <translation type="unfinished"></translation>
+            <translation>pulso de passo</translation>
         </message>
         <message>
             <source>stepover_mm (ae)</source>
@@ -20155,7 +20155,7 @@
         </message>
         <message>
             <source>the controller refused {line}: {answer}</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador recusou {line}: {answer}</translation>
         </message>
         <message>
             <source>the controller refused {line}: {meaning} (error:{error})</source>
@@ -20199,7 +20199,7 @@
         </message>
         <message>
             <source>the controller took the settings, but holds others when they are read back</source>
-            <translation type="unfinished"></translation>
+            <translation>o controlador aceitou os ajustes, mas guarda outros quando são relidos</translation>
         </message>
         <message>
             <source>the controller waits for its new tool</source>
@@ -20683,7 +20683,7 @@
         </message>
         <message>
             <source>the file holds no settings of a controller</source>
-            <translation type="unfinished"></translation>
+            <translation>o arquivo não tem ajustes de um controlador</translation>
         </message>
         <message>
             <source>the file is empty</source>
@@ -21263,7 +21263,7 @@
         </message>
         <message>
             <source>the machine has not the axes X and Y, or X and Z</source>
-            <translation type="unfinished"></translation>
+            <translation>a máquina não tem os eixos X e Y, ou X e Z</translation>
         </message>
         <message>
             <source>the machine has one spindle, number 0</source>
@@ -22919,7 +22919,7 @@
         </message>
         <message>
             <source>this is no machine file of FreeCAD: it has no axes</source>
-            <translation type="unfinished"></translation>
+            <translation>isto não é um arquivo de máquina do FreeCAD: não tem eixos</translation>
         </message>
         <message>
             <source>this is no pulse letter</source>
@@ -22927,7 +22927,7 @@
         </message>
         <message>
             <source>this is no setting: {line}</source>
-            <translation type="unfinished"></translation>
+            <translation>isto não é um ajuste: {line}</translation>
         </message>
         <message>
             <source>this is no word that can be edited</source>
@@ -23719,7 +23719,7 @@
         </message>
         <message>
             <source>way back from a limit switch</source>
-            <translation type="unfinished"></translation>
+            <translation>recuo a partir do fim de curso</translation>
         </message>
         <message>
             <source>way out</source>
@@ -23727,7 +23727,7 @@
         </message>
         <message>
             <source>what a status report holds</source>
-            <translation type="unfinished"></translation>
+            <translation>conteúdo do relatório de estado</translation>
         </message>
         <message>
             <source>what lies inside an outline is faced with it</source>
@@ -24055,7 +24055,7 @@
         </message>
         <message>
             <source>write each setting as $number=value, as $$ prints it</source>
-            <translation type="unfinished"></translation>
+            <translation>escreva cada ajuste como $número=valor, como $$ o mostra</translation>
         </message>
         <message>
             <source>write each turn</source>
@@ -24431,11 +24431,11 @@
         </message>
         <message>
             <source>{axis}: highest speed</source>
-            <translation type="unfinished"></translation>
+            <translation>{axis}: velocidade máxima</translation>
         </message>
         <message>
             <source>{axis}: steps per mm</source>
-            <translation type="unfinished"></translation>
+            <translation>{axis}: passos por mm</translation>
         </message>
         <message>
             <source>{beyond_mm:.3f} mm beyond</source>
@@ -24471,7 +24471,7 @@
         </message>
         <message>
             <source>{controller} has no settings of its own: the profile has them</source>
-            <translation type="unfinished"></translation>
+            <translation>{controller} não tem ajustes próprios: o perfil os tem</translation>
         </message>
         <message>
             <source>{counts} at one place</source>
@@ -24603,7 +24603,7 @@
         </message>
         <message>
             <source>{done} of {count} settings written</source>
-            <translation type="unfinished"></translation>
+            <translation>{done} de {count} ajustes gravados</translation>
         </message>
         <message>
             <source>{doubles} boundaries of hatches are drawn as lines too; they are read once</source>
@@ -25139,11 +25139,11 @@
         </message>
         <message>
             <source>{name}, version {version}</source>
-            <translation type="unfinished"></translation>
+            <translation>{name}, versão {version}</translation>
         </message>
         <message>
             <source>{name}, version {version}, on {board}</source>
-            <translation type="unfinished"></translation>
+            <translation>{name}, versão {version}, em {board}</translation>
         </message>
         <message>
             <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
@@ -25465,11 +25465,11 @@
         <name>CNCStepper_Assistant</name>
         <message>
             <source>Machine assistant…</source>
-            <translation type="unfinished"></translation>
+            <translation>Assistente de máquina…</translation>
         </message>
         <message>
             <source>Sets a machine up: port, values, measured axes, settings, and a profile of its own</source>
-            <translation type="unfinished"></translation>
+            <translation>Configura uma máquina: porta, valores, eixos medidos, ajustes e um perfil próprio</translation>
         </message>
     </context>
     <context>

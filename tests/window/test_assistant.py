@@ -13,7 +13,7 @@ import FreeCADGui
 import pytest
 from PySide import QtGui
 from test_language import PORTUGUESE, STARTED_IN
-from test_road import DOCK, accept, own_sessions, state, step  # noqa: F401
+from test_road import DOCK, own_sessions, step  # noqa: F401
 
 from CNCStepper.workbench.services.translation import tr
 from window_helpers import screen_places as places
@@ -173,11 +173,9 @@ def cut_a_job(hand: Hand) -> None:
 
     def made() -> None:
         document = FreeCAD.newDocument("Assistant")
-        job = api.make_job(document)
-        job.Machine = "meu-3018"
-        pocket = api.make_operation(job, "CircularPocket")
-        pocket.Diameter = 12
-        pocket.Depth = 0.5
+        job = api.new_job(document, machine="meu-3018")
+        api.add_tool(job, diameter_mm=3, feed_mm_min=700, plunge_mm_min=200, spindle_rpm=8000)
+        api.add_operation(job, "circular_pocket", diameter_mm=12, depth_mm=0.5)
         document.recompute()
 
     hand.main(made)

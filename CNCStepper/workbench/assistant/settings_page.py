@@ -73,10 +73,10 @@ class SettingsPage(Page):
     def refresh(self) -> None:
         """Show what can be done now; a write that was refused is told with what was written."""
         has = bool(self.setup.identity and self.setup.identity.settings)
-        idle = not self.bench.why_not(locked=True)
+        why = self.bench.why_not(locked=True)
         self.saving.setEnabled(has)
-        self.writing.setEnabled(has and idle and any(one.differs for one in self._rows))
-        self.writing.setToolTip(tr(self.bench.why_not(locked=True)))
+        self.writing.setEnabled(has and not why and any(one.differs for one in self._rows))
+        self.writing.setToolTip(tr(why))
         if self._lines and self.bench.trouble and not self.bench.is_busy:
             done, count = len(self.bench.answered), len(self._lines)
             self._lines = []
