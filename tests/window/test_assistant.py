@@ -37,7 +37,7 @@ def assistant(hand: Hand, request: pytest.FixtureRequest) -> Iterator[Any]:
     hand.main(FreeCADGui.setLocale, request.param)
     hand.settle()
     hand.main(settings.remember_port, "virtual", 115200)
-    hand.command(A)
+    hand.menu("CNCStepper", hand.main(FreeCAD.Qt.translate, A, "Machine assistant…").rstrip("…"))
     hand.wait(lambda: dialog() and dialog().isVisible(), what="the assistant")
     hand.settle()
     yield dialog()
@@ -108,11 +108,12 @@ def connect(hand: Hand) -> None:
 
 def values(hand: Hand) -> None:
     assert hand.text(f"{FIELD}_axis_x_steps_per_mm") == "800"
-    hand.fill(f"{FIELD}_name", "")
+    hand.fill(f"{FIELD}_axis_x_steps_per_mm", "many")
     hand.wait(lambda: dialog().page.why_not())
     hand.click(f"{A}_next")
     hand.settle()
     assert hand.main(lambda: dialog().steps.currentRow()) == 2, "a bad value keeps the step"
+    hand.fill(f"{FIELD}_axis_x_steps_per_mm", "800")
     hand.fill(f"{FIELD}_name", "My 3018")
     hand.fill(f"{FIELD}_axis_x_acceleration_mm_s2", "200")
     hand.fill(f"{FIELD}_axis_y_acceleration_mm_s2", "200")
@@ -175,7 +176,7 @@ def cut_a_job(hand: Hand) -> None:
         document = FreeCAD.newDocument("Assistant")
         job = api.new_job(document, machine="meu-3018")
         api.add_tool(job, diameter_mm=3, feed_mm_min=700, plunge_mm_min=200, spindle_rpm=8000)
-        api.add_operation(job, "circular_pocket", diameter_mm=12, depth_mm=0.5)
+        api.add_operation(job, "circular_pocket", radius_mm=4, depth_mm=0.5)
         document.recompute()
 
     hand.main(made)
