@@ -153,6 +153,10 @@ def measure(hand: Hand) -> None:
     assert hand.main(lambda: dialog().setup.identity.settings[100]) == pytest.approx(808.081, abs=0.001)
     assert hand.main(lambda: dialog().setup.draft.texts[("axis", "x", "steps_per_mm")]) == "808.0808"
     hand.shot(f"assistant-measured-{hand.main(FreeCADGui.getLocale)}", A)
+    hand.wait(lambda: not dialog().bench.why_not(), 20, "the machine")
+    hand.click(f"{A}_return")
+    hand.wait(lambda: dialog().bench.status.mpos_mm[0] == pytest.approx(0.0, abs=0.01), 30, "it is back")
+    hand.wait(lambda: not dialog().bench.why_not(), 20, "it rests")
 
 
 def save(hand: Hand) -> None:

@@ -101,11 +101,11 @@ def import_(file: Path, name: str, source: str) -> None:
 
 @command.command("export")
 @click.argument("name")
-@click.argument("file", type=OutputPath(""))
-def export(name: str, file: Path) -> None:
-    """Write a profile to FILE, a machine file for FreeCAD (.fcm)."""
-    write_fcm(file, load_machine(name))
-    click.echo(f"{file}: {name} for FreeCAD")
+@click.option("-o", "--out", required=True, type=OutputPath(""), help="The file that is written.")
+def export(name: str, out: Path) -> None:
+    """Write a profile to the file --out, a machine file for FreeCAD (.fcm)."""
+    write_fcm(out, load_machine(name))
+    click.echo(f"{out}: {name} for FreeCAD")
 
 
 def say_written(written: Written) -> None:

@@ -39,14 +39,14 @@ def command() -> None:
 
 
 @command.command("backup")
-@click.argument("file", type=OutputPath(""))
+@click.option("-o", "--out", required=True, type=OutputPath(""), help="The file that is written.")
 @port_options
-def backup(file: Path, at: ServicePort) -> None:
-    """Write the settings of the controller at --port to FILE."""
+def backup(out: Path, at: ServicePort) -> None:
+    """Write the settings of the controller at --port to the file --out."""
     with ServiceClient(at) as talk:
         found = _asked(talk)
-    write_settings(file, found.settings, f"{found.text} at {at.name}")
-    click.echo(f"{file}: {len(found.settings)} settings of {found.text}")
+    write_settings(out, found.settings, f"{found.text} at {at.name}")
+    click.echo(f"{out}: {len(found.settings)} settings of {found.text}")
 
 
 @command.command("compare")

@@ -79,6 +79,7 @@ class MeasurePage(Page):
 
     def _arrange(self) -> None:
         self.present = label("steps")
+        self.present.setWordWrap(False)
         form = (
             row(label("", tr("Axis")), self.axis, self.present),
             row(label("", tr("Length")), self.length, label("", tr("Feed")), self.feed),

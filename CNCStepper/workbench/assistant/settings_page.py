@@ -32,7 +32,7 @@ from CNCStepper.workbench.services.translation import later, tr
 TITLE = later("Settings")
 PROFILE, BACKUP = "profile", "backup"
 DIFFERS = "≠"
-COLUMNS = 6
+COLUMNS, NAME_COLUMN = 6, 2
 MARK = QtGui.QColor(255, 193, 7, 90)  # reads on light and on dark; the sign says it without colour
 
 
@@ -56,6 +56,7 @@ class SettingsPage(Page):
         self.table.setObjectName(f"{NAME}_settings")
         self.table.setHorizontalHeaderLabels(["$", "", tr("Setting"), tr("Unit"), tr("Controller"), tr("Wanted")])
         self.table.verticalHeader().setVisible(False)
+        self.table.horizontalHeader().setSectionResizeMode(NAME_COLUMN, QtGui.QHeaderView.ResizeMode.Stretch)
         self.table.setEditTriggers(QtGui.QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionBehavior(QtGui.QAbstractItemView.SelectionBehavior.SelectRows)
         self.said = label("settings_said")

@@ -21,7 +21,7 @@ def test_settings_are_backed_up_compared_restored_and_made_a_profile(tmp_path: P
     file = str(tmp_path / "before.txt")
     with virtual_grbl(speed=20.0) as address:
         at = ("--port", address, "--keep-open", "1")
-        assert "34 settings of grbl 1.1" in said("settings", "backup", file, *at)
+        assert "34 settings of grbl 1.1" in said("settings", "backup", "-o", file, *at)
         assert "0 of 34 settings differ" in said("settings", "compare", file, *at)
         there = said("settings", "restore", "genmitsu-3018-pro", "--yes", *at)
         assert "$100: 80 -> 800  (X: steps per mm, 1/mm)" in there and "written and read back" in there
@@ -40,7 +40,7 @@ def test_settings_are_backed_up_compared_restored_and_made_a_profile(tmp_path: P
 
 def test_a_profile_is_written_for_freecad_and_read_from_it(tmp_path: Path) -> None:
     file = tmp_path / "mill.fcm"
-    said("machine", "export", "genmitsu-3018-pro", str(file))
+    said("machine", "export", "genmitsu-3018-pro", "-o", str(file))
     content = json.loads(file.read_text("utf-8"))
     content["machine"]["name"] = "My mill"
     file.write_text(json.dumps(content), "utf-8")
