@@ -175,7 +175,8 @@ def test_arcs_of_other_planes_and_spirals_are_cut_along_chords() -> None:
 @pytest.mark.parametrize("shape", ["flat", "ball"])
 def test_short_level_moves_along_x_cut_what_those_along_y_do(shape: str) -> None:
     turns = np.cumsum(np.random.default_rng(11).normal(0.0, 0.2, 80))
-    points = np.cumsum(np.column_stack([np.cos(turns), np.sin(turns), 0.0 * turns]) * 0.3, axis=0) + (-12, 1, -2)
+    steps = np.column_stack([np.cos(turns), np.sin(turns), 0.0 * turns]) * 0.3
+    points = np.array([-12.0, 1.0, -2.0]) + np.cumsum(steps, axis=0)
     along_x, along_y = (
         cut(Moves.lines(ends[:-1], ends[1:], form_of(tool(shape))), CELL_MM).part
         for ends in (points, points[:, [1, 0, 2]])
