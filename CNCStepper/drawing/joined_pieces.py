@@ -12,14 +12,14 @@ import numpy as np
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.chain_columns import ChainColumns, columns_of
-from CNCStepper.drawing.drawing import Piece, Share
+from CNCStepper.drawing.drawing import Chain, Piece, Share
 from CNCStepper.geometry.chain_joining import NEAR_MM, Gap, joined_bundle
 from CNCStepper.geometry.curve_bundle import bundles_joined
 from CNCStepper.tolerances import JOINED_ENDS_MM
 
 
 def joined_pieces(
-    pieces: Iterable[Piece],
+    pieces: Iterable[Piece | Chain],
     same_mm: float = JOINED_ENDS_MM,
     near_mm: float = NEAR_MM,
     by_colour: bool = False,

@@ -175,8 +175,8 @@ class _Entities:
     def _ordinary(self) -> np.ndarray:
         """Return which entities are ordinary, bool[n]."""
         allowed = np.zeros((len(KINDS) + 1, CODES), bool)
-        for kind, meant in MEANT.items():
-            allowed[kind, [*ALWAYS, *meant]] = True
+        for meaning, meant in MEANT.items():
+            allowed[meaning, [*ALWAYS, *meant]] = True
         kind = self._kinds[self._owner]
         odd = ~allowed[kind, self._codes]
         before = np.concatenate([[0], self._codes[:-1]])

@@ -7,7 +7,8 @@
 Where no element refers to another one, elements of groups are parsed as they are asked for, so that a drawing of any
 length takes the memory of its deepest branch.
 
-Entities may stand for short plain text only, as Illustrator's do for namespaces: such can neither nest nor grow.
+Entities may stand for short plain text only, as Illustrator's do for namespaces: they cannot nest, and what they can
+add to the file is known before it is parsed.
 """
 
 from __future__ import annotations
@@ -115,26 +116,26 @@ class _Parser:
 
     def __init__(self, content: bytes, place: Place):
         self._content, self._place = content, place
-        self._left = len(content) + MOST_GROWTH
         self._names: dict[str, str] = {}
-        self.parser = expat.ParserCreate(namespace_separator="\n")
-        self.parser.buffer_text = True
-        self.parser.SetParamEntityParsing(expat.XML_PARAM_ENTITY_PARSING_NEVER)
-        self.parser.StartElementHandler = self._start
-        self.parser.EndElementHandler = self._end
-        self.parser.CharacterDataHandler = self._characters
+        self._parser = expat.ParserCreate(namespace_separator="\n")
+        self._parser.buffer_text = True
+        self._parser.SetParamEntityParsing(expat.XML_PARAM_ENTITY_PARSING_NEVER)
+        self._parser.StartElementHandler = self._start
+        self._parser.EndElementHandler = self._end
+        self._parser.CharacterDataHandler = self._characters
 
     def parsed(self) -> Iterator[None]:
-        """Parse the file, and yield after each part of it."""
+        """Yield before each part of the file is parsed; at the end the parser is let go, with what it refers to."""
         for at in range(0, max(len(self._content), 1), CHUNK_BYTES):
+            yield
             checkpoint()
             try:
-                self.parser.Parse(self._content[at : at + CHUNK_BYTES], at + CHUNK_BYTES >= len(self._content))
+                self._parser.Parse(self._content[at : at + CHUNK_BYTES], at + CHUNK_BYTES >= len(self._content))
             except (expat.ExpatError, LookupError, ValueError) as error:
                 if isinstance(error, JobError):
                     raise
                 raise _no_svg(self._place, printable(str(error), 255), getattr(error, "lineno", None)) from error
-            yield
+        del self._parser, self._content
 
     def _start(self, name: str, attributes: dict[str, str]) -> None:
         raise NotImplementedError
@@ -146,16 +147,9 @@ class _Parser:
         raise NotImplementedError
 
     def _element(self, name: str, attributes: dict[str, str]) -> Element:
-        names, own = self._names, {}
-        for key, value in attributes.items():
-            self._left -= len(value)
-            own[names[key] if key in names else self._local(key)] = value
-        self._require_growth()
+        names = self._names
+        own = {names[key] if key in names else self._local(key): value for key, value in attributes.items()}
         return Element(self._local(name), own)
-
-    def _require_growth(self) -> None:
-        if self._left < 0:
-            raise _large("characters with its entities in their places", MOST_GROWTH, self._place)
 
     def _local(self, name: str) -> str:
         """Return a name without its namespace where that is SVG's, else with a prefix that we give; "" for unknown."""
@@ -173,13 +167,13 @@ class _Survey(_Parser):
         super().__init__(content, place)
         self.root: str | None = None
         self.refers, self.adobe = False, False
-        self.count = self._entities = 0
+        self.count = self._entities = self._longest = 0
         self.rules: list[str] = []
         self.comments: list[str] = []
         self._inside: list[str] = []
-        self.parser.CommentHandler = self._comment
-        self.parser.EntityDeclHandler = self._entity
-        self.parser.StartNamespaceDeclHandler = self._namespace
+        self._parser.CommentHandler = self._comment
+        self._parser.EntityDeclHandler = self._entity
+        self._parser.StartNamespaceDeclHandler = self._namespace
 
     def _start(self, name: str, attributes: dict[str, str]) -> None:
         self.count += 1
@@ -187,8 +181,6 @@ class _Survey(_Parser):
             raise _large("elements", MOST_ELEMENTS, self._place)
         if len(self._inside) >= MOST_DEPTH:
             raise _large("elements within each other", MOST_DEPTH, self._place)
-        self._left -= sum(map(len, attributes.values()))
-        self._require_growth()
         local = self._local(name)
         self._inside.append(local)
         self.refers = self.refers or local in REFERRING
@@ -199,8 +191,6 @@ class _Survey(_Parser):
         self._inside.pop()
 
     def _characters(self, text: str) -> None:
-        self._left -= len(text)
-        self._require_growth()
         if self._inside and self._inside[-1] == "style":
             self.rules.append(text)
 
@@ -222,6 +212,9 @@ class _Survey(_Parser):
                 advice="save it again from the drawing program as plain SVG",
                 place=self._place,
             )
+        self._longest = max(self._longest, len(value))
+        if self._content.count(b"&") * self._longest > MOST_GROWTH:
+            raise _large("characters with its entities in their places", MOST_GROWTH, self._place)
 
 
 class _Elements(_Parser):
@@ -237,7 +230,7 @@ class _Elements(_Parser):
     def next(self) -> Element | None:
         """Return the next whole element or begun group, None at the end of a group."""
         while not self._ready:
-            next(self._parts)
+            next(self._parts, None)
         return self._ready.popleft()
 
     def _inside(self) -> Iterator[Element]:
@@ -266,8 +259,6 @@ class _Elements(_Parser):
             self._ready.append(whole)
 
     def _characters(self, text: str) -> None:
-        self._left -= len(text)
-        self._require_growth()
         if self._open and self._open[-1][0].name in WITH_TEXT:
             child = Element(TEXT, {})
             child.text = text
