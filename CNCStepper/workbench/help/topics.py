@@ -8,6 +8,7 @@ Nothing here loads FreeCAD or Qt.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from CNCStepper.workbench.services.translation import later
 CONTENTS, CODES, PROFILE, OBJECTS_FOLDER = "contents", "controller-codes", "machine-profile", "objects/"
 GUIDES = packages.ROOT / "docs" / "user-guide"
 CYCLE_PICTURES = packages.ROOT / "docs" / "pictures" / "cycles"
+HEADING_SIGNS = re.compile(r"[^\w\- ]")
 PORTUGUESE = "pt_BR"
 SUFFIXES = {"en": ".md", PORTUGUESE: ".pt-BR.md"}  # of a guide's file by the language's code
 CODE_OF_LANGUAGE = later("code of this language: en")  # the catalogue of a language names the language's own code
@@ -119,3 +121,8 @@ def address_of(file: Path) -> str:
 def object_address(type_name: str) -> str:
     """Return the address of the page of a type of object, the contents for a type that has none."""
     return f"{OBJECTS_FOLDER}{type_name}" if type_name in TOPIC_OF else CONTENTS
+
+
+def slug(heading: str) -> str:
+    """Return the name of a heading in a link, as Markdown's readers make it."""
+    return HEADING_SIGNS.sub("", heading.strip().lower()).replace(" ", "-")

@@ -8,6 +8,7 @@ Where `make manual` has built the whole manual, the contents link to it; the sys
 from __future__ import annotations
 
 import re
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.help import object_pages
+from CNCStepper.workbench.help.object_tables import classes_by_type, properties_of_type
 from CNCStepper.workbench.help.topics import (
     CODE_OF_LANGUAGE,
     CODES,
@@ -27,6 +29,7 @@ from CNCStepper.workbench.help.topics import (
     TOPIC_OF,
     address_of,
     guide_file,
+    slug,
 )
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
@@ -39,7 +42,6 @@ PICTURE = re.compile(r"(!\[[^\]]*\]\()([^)\s]+)(\))")
 FILE_LINK = re.compile(r"[a-z]+://")
 MANUALS = (packages.ROOT / "resources" / "manual", packages.ROOT / "build" / "manual")
 WHOLE_MANUAL = later("[The whole manual]({0}) opens in the browser.")
-HEADING_SIGNS = re.compile(r"[^\w\- ]")
 
 
 class HelpWindow(QtGui.QDialog):
@@ -62,6 +64,7 @@ class HelpWindow(QtGui.QDialog):
         self.search.setPlaceholderText(tr("Search in this page"))
         self.search.returnPressed.connect(guarded(self.find_next))
         self._arrange()
+        threading.Thread(target=classes_by_type, daemon=True).start()  # for pages of objects that are not open
 
     def open(self, address: str, key: str = "") -> None:
         """Show a page and scroll to a field by its key, or to a heading by "#" and its name."""
@@ -127,7 +130,7 @@ class HelpWindow(QtGui.QDialog):
             cursor.movePosition(QtGui.QTextCursor.MoveOperation.EndOfBlock, QtGui.QTextCursor.MoveMode.KeepAnchor)
             self.browser.setTextCursor(cursor)
         bar = self.browser.verticalScrollBar()
-        bar.setValue(bar.value() + self.browser.cursorRect(cursor).top() - self.browser.fontMetrics().height())
+        bar.setValue(bar.value() + self.browser.cursorRect(cursor).top())
 
     def _follow(self, url: Any) -> None:
         """Follow a link: to a page of the help here, to anything else with the system's own program."""
@@ -154,7 +157,7 @@ def open_help(address: str = CONTENTS, key: str = "") -> HelpWindow:
     shown.show()
     shown.raise_()
     shown.activateWindow()
-    shown.open(address, key)
+    QtCore.QTimer.singleShot(0, guarded(lambda: shown.open(address, key)))  # the window is painted before
     return shown
 
 
@@ -190,8 +193,6 @@ def with_whole_addresses(text: str, folder: Path) -> str:
 
 
 def _object_page(type_name: str) -> str:
-    from CNCStepper.workbench.help.object_tables import properties_of_type
-
     topic = TOPIC_OF[type_name]
     picture = CYCLE_PICTURES / f"{topic.picture}.png"
     address = f"../pictures/cycles/{picture.name}" if topic.picture else ""
@@ -231,11 +232,6 @@ def _heading(document: Any, key: str) -> Any:
             return heading
         block = block.next()
     return document.begin()
-
-
-def slug(heading: str) -> str:
-    """Return the name of a heading in a link, as Markdown's readers make it."""
-    return HEADING_SIGNS.sub("", heading.strip().lower()).replace(" ", "-")
 
 
 def _shrink_pictures(document: Any) -> None:
