@@ -4155,6 +4155,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Alarms and errors of controllers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Alignment</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4299,6 +4303,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arranged programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arrangement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4344,6 +4352,10 @@
         </message>
         <message>
             <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At work: [{0}]({1}).</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4495,6 +4507,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bore turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bore; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4536,6 +4552,10 @@
         </message>
         <message>
             <source>CNCStepper has a fault: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>CNCStepper help</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4612,6 +4632,10 @@
         </message>
         <message>
             <source>Checking the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Choices: {0}.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4707,6 +4731,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Command line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Commanded length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4772,6 +4800,10 @@
         </message>
         <message>
             <source>Containers of the clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contents</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4952,6 +4984,10 @@
         </message>
         <message>
             <source>Cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cycles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5203,6 +5239,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drill on the lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drilling</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5235,6 +5279,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Each entry of the list `{0}` has these values.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Each field of the dialog *Machines…* is a key of the machine's profile; [the guide]({0}) shows them at work.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Earlier</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5260,6 +5312,10 @@
         </message>
         <message>
             <source>Edit {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Editing programs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5316,6 +5372,10 @@
         </message>
         <message>
             <source>Engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Engrave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5399,6 +5459,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Facing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5416,6 +5480,10 @@
         </message>
         <message>
             <source>Faults</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Faults while sending</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5456,6 +5524,10 @@
         </message>
         <message>
             <source>Feeds times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fields of a machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5515,7 +5587,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Finish turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Firmware of controllers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5664,6 +5744,14 @@
         </message>
         <message>
             <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FreeCAD, step by step</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Freehand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5955,6 +6043,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Guides</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gusset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6024,6 +6116,10 @@
         </message>
         <message>
             <source>Held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Help</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6475,6 +6571,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Imported drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6564,6 +6664,10 @@
         </message>
         <message>
             <source>Installed. CNCStepper can work now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Installing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7119,6 +7223,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Meaning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Measure</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7296,6 +7404,14 @@
         </message>
         <message>
             <source>Nest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nest on sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7647,6 +7763,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Orders</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Other corner</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7731,11 +7851,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Panels and their fields</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Parallelogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7980,6 +8108,10 @@
         </message>
         <message>
             <source>Price per sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Prices</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8327,6 +8459,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Restart after an interruption</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Restart from here…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8396,6 +8532,10 @@
         </message>
         <message>
             <source>Rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rough turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8491,6 +8631,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Search in this page</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Search time</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8563,6 +8707,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Send anyway</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8576,6 +8724,10 @@
         </message>
         <message>
             <source>Send time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sending</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8616,6 +8768,10 @@
         </message>
         <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shape of the library</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8736,6 +8892,10 @@
         </message>
         <message>
             <source>Slices</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slices of a solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9391,6 +9551,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9444,6 +9608,10 @@
         </message>
         <message>
             <source>The limit of the surface speed; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The link to the controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9520,6 +9688,10 @@
         </message>
         <message>
             <source>The middle of the circle, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The mini lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9935,6 +10107,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thread turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Threads on a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Three quarters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10123,11 +10303,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turn the chosen part to its next rotation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10215,6 +10403,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Virtual machines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Waiting for the controller to answer.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10244,6 +10436,10 @@
         </message>
         <message>
             <source>Water jet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What a number of a controller means, and what to do. F1 works in every panel: it opens its page.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10288,6 +10484,10 @@
         </message>
         <message>
             <source>What the tool is for</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What to do</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10647,6 +10847,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>[The whole manual]({0}) opens in the browser.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a backup…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10955,6 +11159,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>code of this language: en</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>constant acceleration</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10980,6 +11188,10 @@
         </message>
         <message>
             <source>count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>counts where {0} is {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11032,6 +11244,10 @@
         </message>
         <message>
             <source>dwell for P</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>empty</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11211,6 +11427,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11328,6 +11548,10 @@
         </message>
         <message>
             <source>must be below {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11619,6 +11843,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>result: shown, not typed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>returns from a subprogram</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11859,6 +12087,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>usual</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11867,7 +12099,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>usual value: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>usual: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>value in a new object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12132,6 +12372,14 @@
         </message>
         <message>
             <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: alarms</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: errors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25612,6 +25860,17 @@
         </message>
         <message>
             <source>Freehand</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Help</name>
+        <message>
+            <source>Help</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The guides and all fields, of the selected object first; F1 in a panel opens its page</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
