@@ -87,8 +87,9 @@ def require_reach(profile: Curve, setup: TurningSetup, side: float) -> None:
         raise CycleError("insert-front", what, value=value, limit=limit, advice="use another insert or holder")
     if falling > back + SAME_EDGE_DEG:
         what, value = "the back edge of the insert does not reach the profile", f"back edge at {back:.4g} deg"
-        pointed = f": a nose angle of {front - falling:.4g} deg or less" if front - falling >= LEAST_NOSE_DEG else ""
-        limit = f"at least {falling:.4g} deg{pointed}"
+        limit = f"at least {falling:.4g} deg"
+        if front - falling >= LEAST_NOSE_DEG:
+            limit = f"at least {falling:.4g} deg: a nose angle of {front - falling:.4g} deg or less"
         raise CycleError("insert-back", what, value=value, limit=limit, advice="use a more pointed insert or a groove")
     _require_nose(profile, setup)
 

@@ -124,9 +124,9 @@ class TurningJob(_Checked):
                 known = ", ".join(names) or "none"
                 raise ValueError(Text(what, number=number, profile=profile, names=known))
         self._check_chuck_and_start()
-        if self.material and self.material not in (known := turned_materials()):
+        if self.material and self.material not in (materials := turned_materials()):
             what = "no material of turning is called '{name}': it may be {names}"
-            raise ValueError(Text(what, name=self.material, names=", ".join(known)))
+            raise ValueError(Text(what, name=self.material, names=", ".join(materials)))
         z = self.start_zr[0]
         if z < self.stock.face_mm and self.start_zr[1] < self.stock.diameter_mm / 2:
             what = "the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm"
