@@ -14239,7 +14239,7 @@
         </message>
         <message>
             <source>at least {0} deg: a nose angle of {1} deg or less</source>
-            <translation type="unfinished"></translation>
+            <translation>no mínimo {0} graus: um ângulo de ponta de {1} graus ou menos</translation>
         </message>
         <message>
             <source>at least {0} mm</source>
