@@ -4147,6 +4147,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Alarms and errors of controllers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Alignment</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4287,6 +4291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arranged programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arrangement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4328,6 +4336,10 @@
         </message>
         <message>
             <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At work: [{0}]({1}).</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4463,6 +4475,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bore turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bore; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4504,6 +4520,10 @@
         </message>
         <message>
             <source>CNCStepper has a fault: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>CNCStepper help</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4576,6 +4596,10 @@
         </message>
         <message>
             <source>Checking the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Choices: {0}.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4671,6 +4695,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Command line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Commanded length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4724,6 +4752,10 @@
         </message>
         <message>
             <source>Containers of the clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contents</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4912,6 +4944,10 @@
         </message>
         <message>
             <source>Cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cycles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5167,6 +5203,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drill on the lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drilling</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5199,6 +5243,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Each entry of the list `{0}` has these values.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Each field of the dialog *Machines…* is a key of the machine's profile; [the guide]({0}) shows them at work.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Earlier</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5224,6 +5276,10 @@
         </message>
         <message>
             <source>Edit {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Editing programs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5280,6 +5336,10 @@
         </message>
         <message>
             <source>Engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Engrave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5363,6 +5423,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Facing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5380,6 +5444,10 @@
         </message>
         <message>
             <source>Faults</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Faults while sending</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5420,6 +5488,10 @@
         </message>
         <message>
             <source>Feeds times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fields of a machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5475,6 +5547,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Finish turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finishing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5484,6 +5560,10 @@
         </message>
         <message>
             <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Firmware of controllers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5636,6 +5716,14 @@
         </message>
         <message>
             <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FreeCAD, step by step</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Freehand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5931,6 +6019,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Guides</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gusset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6000,6 +6092,10 @@
         </message>
         <message>
             <source>Held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Help</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6451,6 +6547,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Imported drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6540,6 +6640,10 @@
         </message>
         <message>
             <source>Installed. CNCStepper can work now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Installing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7075,6 +7179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Meaning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7248,6 +7356,14 @@
         </message>
         <message>
             <source>Nest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nest on sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7583,6 +7699,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Orders</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Other corner</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7667,11 +7787,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Panels and their fields</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Parallelogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7916,6 +8044,10 @@
         </message>
         <message>
             <source>Price per sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Prices</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8263,6 +8395,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Restart after an interruption</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Restart from here…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8332,6 +8468,10 @@
         </message>
         <message>
             <source>Rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rough turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8423,6 +8563,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Search in this page</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Search time</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8495,6 +8639,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Send anyway</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8508,6 +8656,10 @@
         </message>
         <message>
             <source>Send time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sending</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8532,6 +8684,10 @@
         </message>
         <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shape of the library</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8656,6 +8812,10 @@
         </message>
         <message>
             <source>Slices</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slices of a solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9323,6 +9483,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9364,6 +9528,10 @@
         </message>
         <message>
             <source>The limit of the surface speed; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The link to the controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9440,6 +9608,10 @@
         </message>
         <message>
             <source>The middle of the circle, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The mini lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9843,6 +10015,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thread turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Threads on a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Three quarters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10035,11 +10215,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turn the chosen part to its next rotation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10131,6 +10319,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Virtual machines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Waiting for the controller to answer.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10156,6 +10348,10 @@
         </message>
         <message>
             <source>Water jet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What a number of a controller means, and what to do. F1 works in every panel: it opens its page.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10200,6 +10396,10 @@
         </message>
         <message>
             <source>What the tool is for</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What to do</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10551,6 +10751,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>[The whole manual]({0}) opens in the browser.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a comment</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10847,6 +11051,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>code of this language: en</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>constant acceleration</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10872,6 +11080,10 @@
         </message>
         <message>
             <source>count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>counts where {0} is {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10924,6 +11136,10 @@
         </message>
         <message>
             <source>dwell for P</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>empty</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11103,6 +11319,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11220,6 +11440,10 @@
         </message>
         <message>
             <source>must be below {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11511,6 +11735,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>result: shown, not typed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>returns from a subprogram</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11743,6 +11971,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>usual</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11751,7 +11983,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>usual value: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>usual: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>value in a new object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11980,6 +12220,14 @@
         </message>
         <message>
             <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: alarms</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: errors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25269,6 +25517,17 @@
         </message>
         <message>
             <source>Freehand</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Help</name>
+        <message>
+            <source>Help</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The guides and all fields, of the selected object first; F1 in a panel opens its page</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
