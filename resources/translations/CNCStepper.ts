@@ -4143,6 +4143,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Alarms and errors of controllers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Alignment</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4283,6 +4287,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arranged programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arrangement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4324,6 +4332,10 @@
         </message>
         <message>
             <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At work: [{0}]({1}).</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4463,6 +4475,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bore turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bore; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4504,6 +4520,10 @@
         </message>
         <message>
             <source>CNCStepper has a fault: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>CNCStepper help</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4576,6 +4596,10 @@
         </message>
         <message>
             <source>Checking the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Choices: {0}.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4671,6 +4695,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Command line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Commanded length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4724,6 +4752,10 @@
         </message>
         <message>
             <source>Containers of the clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contents</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4904,6 +4936,10 @@
         </message>
         <message>
             <source>Cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cycles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5155,6 +5191,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drill on the lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drilling</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5187,6 +5231,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Each entry of the list `{0}` has these values.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Each field of the dialog *Machines…* is a key of the machine's profile; [the guide]({0}) shows them at work.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Earlier</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5212,6 +5264,10 @@
         </message>
         <message>
             <source>Edit {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Editing programs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5268,6 +5324,10 @@
         </message>
         <message>
             <source>Engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Engrave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5351,6 +5411,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Facing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5368,6 +5432,10 @@
         </message>
         <message>
             <source>Faults</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Faults while sending</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5408,6 +5476,10 @@
         </message>
         <message>
             <source>Feeds times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fields of a machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5463,7 +5535,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Finish turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Firmware of controllers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5612,6 +5692,14 @@
         </message>
         <message>
             <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FreeCAD, step by step</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Freehand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5903,6 +5991,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Guides</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gusset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5972,6 +6064,10 @@
         </message>
         <message>
             <source>Held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Help</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6423,6 +6519,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Imported drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6512,6 +6612,10 @@
         </message>
         <message>
             <source>Installed. CNCStepper can work now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Installing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7039,6 +7143,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Meaning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7208,6 +7316,14 @@
         </message>
         <message>
             <source>Nest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nest on sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7543,6 +7659,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Orders</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Other corner</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7627,11 +7747,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Panels and their fields</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Parallelogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7872,6 +8000,10 @@
         </message>
         <message>
             <source>Price per sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Prices</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8219,6 +8351,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Restart after an interruption</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Restart from here…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8288,6 +8424,10 @@
         </message>
         <message>
             <source>Rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rough turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8379,6 +8519,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Search in this page</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Search time</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8451,6 +8595,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Send anyway</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8464,6 +8612,10 @@
         </message>
         <message>
             <source>Send time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sending</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8488,6 +8640,10 @@
         </message>
         <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shape of the library</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8608,6 +8764,10 @@
         </message>
         <message>
             <source>Slices</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slices of a solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9255,6 +9415,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9304,6 +9468,10 @@
         </message>
         <message>
             <source>The limit of the surface speed; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The link to the controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9380,6 +9548,10 @@
         </message>
         <message>
             <source>The middle of the circle, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The mini lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9783,6 +9955,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thread turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Threads on a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Three quarters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9971,11 +10151,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turn the chosen part to its next rotation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10063,6 +10251,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Virtual machines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Waiting for the controller to answer.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10088,6 +10280,10 @@
         </message>
         <message>
             <source>Water jet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What a number of a controller means, and what to do. F1 works in every panel: it opens its page.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10132,6 +10328,10 @@
         </message>
         <message>
             <source>What the tool is for</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What to do</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10471,6 +10671,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>[The whole manual]({0}) opens in the browser.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a comment</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10775,6 +10979,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>code of this language: en</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>constant acceleration</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10800,6 +11008,10 @@
         </message>
         <message>
             <source>count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>counts where {0} is {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10852,6 +11064,10 @@
         </message>
         <message>
             <source>dwell for P</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>empty</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11031,6 +11247,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11148,6 +11368,10 @@
         </message>
         <message>
             <source>must be below {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11439,6 +11663,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>result: shown, not typed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>returns from a subprogram</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11671,6 +11899,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>usual</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11679,7 +11911,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>usual value: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>usual: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>value in a new object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11908,6 +12148,14 @@
         </message>
         <message>
             <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: alarms</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: errors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25201,6 +25449,17 @@
         </message>
         <message>
             <source>Freehand</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Help</name>
+        <message>
+            <source>Help</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The guides and all fields, of the selected object first; F1 in a panel opens its page</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
