@@ -12730,6 +12730,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>F is the lead of the thread here, not a feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fanuc lathe (system A)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Fetching {name}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12827,6 +12835,10 @@
         </message>
         <message>
             <source>G5.3 without a G5.2 before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G50 with coordinates moves the work zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13018,6 +13030,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mach3 Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Machine profile, made by CNCStepper</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13206,7 +13222,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>T holds two digits of the tool and two of its offset, which must be the same here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>T0101 changes the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>T0101 turns the turret</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13570,7 +13598,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a lathe moves X and Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a lathe tool is compensated in the plane ZX</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a lathe's arcs are in the plane ZX (G18)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13755,6 +13791,10 @@
         </message>
         <message>
             <source>a number that no letter begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number without a point is in the last digit's steps on this control, or in whole units by a setting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14791,6 +14831,10 @@
         </message>
         <message>
             <source>change the distance or the tolerance a little</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change the feeds of the other lines by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16403,6 +16447,10 @@
         </message>
         <message>
             <source>in inverse time every {name} needs its own F above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>in system A this is a cycle: write its moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19058,6 +19106,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set G54 on the machine, and write S alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set Z by the chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19471,6 +19523,14 @@
         </message>
         <message>
             <source>switches the coolant on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>system A has G98 (feed a minute) and G99 (a turn)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>system A has no G91: X and Z are absolute</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20742,6 +20802,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the highest speed of the spindle cannot be written: use G97 and a fixed speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the highest spindle speed, which every S is scaled by</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21323,6 +21387,10 @@
         </message>
         <message>
             <source>the object of this program is no longer there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the offset comes with T: T0101</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23626,6 +23694,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>whether X is a diameter is a setting of the control</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>whether X is a diameter is a setting of the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>which run of line {number} is meant is not clear</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23734,6 +23810,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write G32 with the lead in F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write G4 P{delay_s:g} behind M3</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23803,6 +23883,14 @@
         </message>
         <message>
             <source>write S before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write T{number}, and keep the offset of the tool there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write X and Z: coordinates from where the tool is are not read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24070,6 +24158,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write the cycle's moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the end point itself</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24083,6 +24175,10 @@
         </message>
         <message>
             <source>write the path of the tool's centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24135,6 +24231,10 @@
         </message>
         <message>
             <source>write x_is = "radius"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write x_is = "{own}", or name the controller "{name}:x={x_is}"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24431,6 +24531,10 @@
         </message>
         <message>
             <source>{dialect} has no word for X as a diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} has no word for the meaning of X: the control is set to X as a {own}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
