@@ -244,10 +244,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Between the cuts of two copies</source>
             <translation type="unfinished"></translation>
         </message>
@@ -608,6 +604,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Depth per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Depth to</source>
             <translation type="unfinished"></translation>
         </message>
@@ -841,6 +841,14 @@
         </message>
         <message>
             <source>Finish Stepover</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Finishing stepdown (ap_acab): of the last pass in depth; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1520,11 +1528,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Last stepdown</source>
+            <source>Last pass: depth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Last stepover</source>
+            <source>Last pass: width</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2708,11 +2716,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepdown Used</source>
+            <source>Stepdown (ap), recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepdown ap</source>
+            <source>Stepdown (ap): the depth of one pass at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepdown (ap): the depth of one pass at most; 0: all at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepdown Used</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2720,11 +2736,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepover Used</source>
+            <source>Stepover (ae), recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepover ae</source>
+            <source>Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae): the width of one pass at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover Used</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2856,15 +2880,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, ap</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The depth of one pass at most; 0: all at once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3009,14 +3025,6 @@
         </message>
         <message>
             <source>The job with the machine, stock, tools and clamps for the program</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass at the wall, ae_acab; 0: none</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass in depth, ap_acab; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3245,10 +3253,6 @@
         </message>
         <message>
             <source>The wall towards the chuck</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The width of one pass at most, ae</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3624,6 +3628,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Width per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work Offset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3669,14 +3677,6 @@
         </message>
         <message>
             <source>Zero's place</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>ae, recalculated to whole passes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>ap, recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3971,7 +3971,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>A serial port, or an address as socket://192.168.0.7:23</source>
+            <source>A serial port, or an address as 192.168.0.7:23</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4096,6 +4096,10 @@
         </message>
         <message>
             <source>Add a tool to this job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a tool: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4424,10 +4428,6 @@
         </message>
         <message>
             <source>Belt's pitch</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4927,6 +4927,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cutting table A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cutting table B</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cutting the part…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4988,6 +4996,10 @@
         </message>
         <message>
             <source>Depth of cut ap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth per pass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5543,6 +5555,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Finishing stepdown (ap_acab): of the last pass in depth; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Firmware of controllers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5584,6 +5604,10 @@
         </message>
         <message>
             <source>First wait</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fit the stock to the drawings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5940,6 +5964,10 @@
         </message>
         <message>
             <source>Go on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go on from here…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6787,19 +6815,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Laser table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Last hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Last pass: depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Last pass: width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Last seen</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Last stepdown</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Last stepover</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6808,6 +6840,10 @@
         </message>
         <message>
             <source>Lathe job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lathe with LinuxCNC</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7192,6 +7228,10 @@
         </message>
         <message>
             <source>Milling</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mini-lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7896,6 +7936,10 @@
         </message>
         <message>
             <source>Plasma</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plasma table with QtPlasmaC</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8695,6 +8739,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Show how far the job came when the link broke, and restart it there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show how far the last unfinished job came, and restart it there.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8943,11 +8991,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepdown ap</source>
+            <source>Stepdown (ap), recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepover ae</source>
+            <source>Stepdown (ap): the depth of one pass at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepdown (ap): the depth of one pass at most; 0: all at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae), recalculated to whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae): the width of one pass at most</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9075,6 +9139,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the feeds of the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9096,6 +9164,14 @@
         </message>
         <message>
             <source>Take the template of a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take {0}° for the angle between its sides</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9227,15 +9303,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, ap</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The depth of one pass at most; 0: all at once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9420,14 +9488,6 @@
         </message>
         <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass at the wall, ae_acab; 0: none</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass in depth, ap_acab; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9851,10 +9911,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The width of one pass at most, ae</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The width of the cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9912,6 +9968,10 @@
         </message>
         <message>
             <source>These profiles have changes that are not saved: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thesis table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10103,6 +10163,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Torch table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Torque at speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10200,6 +10264,10 @@
         </message>
         <message>
             <source>U-bracket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>USB board</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10543,11 +10611,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Width per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wing rib: out of foam by a hot wire</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Wire cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Wire table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Without its angle it counts as flat. Between its sides:</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10707,10 +10787,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>ae, recalculated to whole passes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>all</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10768,10 +10844,6 @@
         </message>
         <message>
             <source>any</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>ap, recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
