@@ -24694,6 +24694,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} rules of style are not applied, because of their selectors: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} texts are longer than their path; letters beyond it are left out: {names}</source>
             <translation type="unfinished"></translation>
         </message>

@@ -24694,6 +24694,10 @@
             <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
         </message>
         <message>
+            <source>{count} rules of style are not applied, because of their selectors: {names}</source>
+            <translation>{count} regras de estilo não são aplicadas, por causa de seus seletores: {names}</translation>
+        </message>
+        <message>
             <source>{count} texts are longer than their path; letters beyond it are left out: {names}</source>
             <translation>{count} textos são mais longos que o seu caminho; as letras além dele são omitidas: {names}</translation>
         </message>
