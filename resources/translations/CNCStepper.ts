@@ -244,10 +244,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Between the cuts of two copies</source>
             <translation type="unfinished"></translation>
         </message>
@@ -608,6 +604,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Depth per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Depth to</source>
             <translation type="unfinished"></translation>
         </message>
@@ -841,6 +841,14 @@
         </message>
         <message>
             <source>Finish Stepover</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Finishing stepdown (ap_acab): of the last pass in depth; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1520,11 +1528,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Last stepdown</source>
+            <source>Last pass: depth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Last stepover</source>
+            <source>Last pass: width</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2708,11 +2716,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepdown Used</source>
+            <source>Stepdown (ap), recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepdown ap</source>
+            <source>Stepdown (ap): the depth of one pass at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepdown (ap): the depth of one pass at most; 0: all at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepdown Used</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2720,11 +2736,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepover Used</source>
+            <source>Stepover (ae), recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepover ae</source>
+            <source>Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae): the width of one pass at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover Used</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2856,15 +2880,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, ap</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The depth of one pass at most; 0: all at once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3009,14 +3025,6 @@
         </message>
         <message>
             <source>The job with the machine, stock, tools and clamps for the program</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass at the wall, ae_acab; 0: none</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass in depth, ap_acab; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3245,10 +3253,6 @@
         </message>
         <message>
             <source>The wall towards the chuck</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The width of one pass at most, ae</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3624,6 +3628,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Width per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work Offset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3669,14 +3677,6 @@
         </message>
         <message>
             <source>Zero's place</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>ae, recalculated to whole passes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>ap, recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3983,6 +3983,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A serial port, or an address as 192.168.0.7:23</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4108,6 +4112,10 @@
         </message>
         <message>
             <source>Add a tool to this job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a tool: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4456,10 +4464,6 @@
         </message>
         <message>
             <source>Belt's pitch</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4975,6 +4979,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cutting table A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cutting table B</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cutting the part…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5036,6 +5048,10 @@
         </message>
         <message>
             <source>Depth of cut ap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth per pass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5595,6 +5611,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Finishing stepdown (ap_acab): of the last pass in depth; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Firmware of controllers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5636,6 +5660,10 @@
         </message>
         <message>
             <source>First wait</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fit the stock to the drawings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5992,6 +6020,10 @@
         </message>
         <message>
             <source>Go on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go on from here…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6843,19 +6875,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Laser table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Last hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Last pass: depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Last pass: width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Last seen</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Last stepdown</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Last stepover</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6864,6 +6900,10 @@
         </message>
         <message>
             <source>Lathe job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lathe with LinuxCNC</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7276,6 +7316,10 @@
         </message>
         <message>
             <source>Milling</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mini-lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8000,6 +8044,10 @@
         </message>
         <message>
             <source>Plasma</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plasma table with QtPlasmaC</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8823,6 +8871,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Show how far the job came when the link broke, and restart it there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show how far the last unfinished job came, and restart it there.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9071,11 +9123,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepdown ap</source>
+            <source>Stepdown (ap), recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepover ae</source>
+            <source>Stepdown (ap): the depth of one pass at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepdown (ap): the depth of one pass at most; 0: all at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae), recalculated to whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae): the width of one pass at most</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9211,6 +9279,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the feeds of the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9232,6 +9304,14 @@
         </message>
         <message>
             <source>Take the template of a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take {0}° for the angle between its sides</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9363,15 +9443,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, ap</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The depth of one pass at most; 0: all at once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9556,14 +9628,6 @@
         </message>
         <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass at the wall, ae_acab; 0: none</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass in depth, ap_acab; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9995,10 +10059,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The width of one pass at most, ae</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The width of the cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10060,6 +10120,10 @@
         </message>
         <message>
             <source>These profiles have changes that are not saved: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thesis table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10255,6 +10319,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Torch table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Torque at speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10352,6 +10420,10 @@
         </message>
         <message>
             <source>U-bracket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>USB board</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10699,11 +10771,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Width per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wing rib: out of foam by a hot wire</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Wire cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Wire table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Without its angle it counts as flat. Between its sides:</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10887,10 +10971,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>ae, recalculated to whole passes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>all</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10948,10 +11028,6 @@
         </message>
         <message>
             <source>any</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>ap, recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14330,6 +14406,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a thread keeps its lead: a path with {owner} is not scaled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14487,6 +14567,10 @@
         </message>
         <message>
             <source>above {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above {bore:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14758,6 +14842,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at least {0} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {0} deg: a nose angle of {1} deg or less</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14974,6 +15062,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>below z {face:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {depth_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14986,7 +15078,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>below {most:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {narrowest_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>below {thick:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15858,6 +15958,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>depth_mm is deeper than the bar sticks out of the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>describe it in a [[tool]] table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15962,7 +16066,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drill a narrower hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill first, or turn a tube</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill less deep, or use a longer bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15971,6 +16083,10 @@
         </message>
         <message>
             <source>drill {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill {more:.4g} mm deeper before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15998,6 +16114,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end before it, or let the bar stick out {length:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>end it at the axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16011,6 +16131,10 @@
         </message>
         <message>
             <source>end it with #</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end nearer to the axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17358,6 +17482,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave --part out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave blade_offset_mm out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17367,6 +17495,10 @@
         </message>
         <message>
             <source>leave less for the finishing pass, or islands remain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave less, or use a thicker bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17726,6 +17858,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make it narrower, or lower z_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make it shorter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17814,6 +17950,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make the program again with the new thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make the program smaller, split it, or use a larger machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17831,6 +17971,10 @@
         </message>
         <message>
             <source>make them lower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make them with `cncstepper run`, or check it with --part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18243,6 +18387,10 @@
         </message>
         <message>
             <source>no material needs more than 100 kN on a square millimetre of chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no material of turning is called '{name}': it may be {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18962,10 +19110,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>prove them together: cncstepper run JOB</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19031,6 +19175,10 @@
         </message>
         <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise spindle_rpm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19767,6 +19915,10 @@
         </message>
         <message>
             <source>steps_per_mm is {steps_per_mm:g}, but the drive gives {pulses_per_mm:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stock_to_leave_mm leaves nothing to cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20814,6 +20966,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drill is wider than the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the ears</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21134,6 +21290,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the groove is wider than what lies before the raw end: width_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the head goes over a piece that is free and may stand up</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21194,15 +21354,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the insert is of another pitch than the thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job cannot be read: {error}</source>
+            <source>the jaws are longer than the bar: jaw_mm must be below {most:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job has a program for each of {count} tools, one after the other</source>
+            <source>the job cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21215,6 +21379,14 @@
         </message>
         <message>
             <source>the job has no operations</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job has one program for all its tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job has {count} programs, one a tool, and this is not one of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21934,6 +22106,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the points of the profile lie at one place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22010,6 +22186,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the profile '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile begins behind the stock's end</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22042,7 +22222,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the profile is deeper than the hole that is drilled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile is smaller than its allowance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile is wider than the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile lies in the hole: there is nothing to bore</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22510,6 +22702,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the spindle does not turn so slowly</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle does not turn, but the motion goes by its turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22550,7 +22746,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the start is in the chuck: its z must be at least {z:g} mm, or its x outside {diameter:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the start lies over the axis: its x is {x:g} mm, it must be at least 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22659,6 +22863,10 @@
         </message>
         <message>
             <source>the thread is not longer than its pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is wider than the bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23438,6 +23646,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>to_diameter_mm leaves nothing to face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>too many drawings, or one read in too many ways</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23806,6 +24018,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a thicker bar, or correct the diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23831,6 +24047,10 @@
         </message>
         <message>
             <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use an insert of that pitch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24654,6 +24874,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>z falls towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>z {0} mm at most</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24863,6 +25087,10 @@
         </message>
         <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} rules of style are not applied, because of their selectors: {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25422,6 +25650,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} lies before the raw end of the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} lists no such alarm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25755,6 +25987,10 @@
         </message>
         <message>
             <source>{what} must be larger than {than}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{what} reaches into the chuck or its jaws</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

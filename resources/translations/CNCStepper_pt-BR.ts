@@ -244,10 +244,6 @@
             <translation>Abaixo deste cinza, 1 a 255, é escuro; 0: achado na imagem</translation>
         </message>
         <message>
-            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
-            <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
-        </message>
-        <message>
             <source>Between the cuts of two copies</source>
             <translation>Entre os cortes de duas cópias</translation>
         </message>
@@ -608,6 +604,10 @@
             <translation>Profundidade de corte ap</translation>
         </message>
         <message>
+            <source>Depth per pass</source>
+            <translation>Profundidade por passe</translation>
+        </message>
+        <message>
             <source>Depth to</source>
             <translation>Profundidade até</translation>
         </message>
@@ -842,6 +842,14 @@
         <message>
             <source>Finish Stepover</source>
             <translation>Última penetração de trabalho</translation>
+        </message>
+        <message>
+            <source>Finishing stepdown (ap_acab): of the last pass in depth; 0: none</source>
+            <translation>Profundidade de corte de acabamento (ap_acab): do último passe em profundidade; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
+            <translation>Penetração de trabalho de acabamento (ae_acab): do último passe na parede; 0: nenhum</translation>
         </message>
         <message>
             <source>First Depth</source>
@@ -1520,12 +1528,12 @@
             <translation>Último furo</translation>
         </message>
         <message>
-            <source>Last stepdown</source>
-            <translation>Última profundidade de corte</translation>
+            <source>Last pass: depth</source>
+            <translation>Último passe: profundidade</translation>
         </message>
         <message>
-            <source>Last stepover</source>
-            <translation>Última penetração de trabalho</translation>
+            <source>Last pass: width</source>
+            <translation>Último passe: largura</translation>
         </message>
         <message>
             <source>Lead Angle</source>
@@ -2708,24 +2716,40 @@
             <translation>Profundidade de corte</translation>
         </message>
         <message>
-            <source>Stepdown Used</source>
-            <translation>Profundidade de corte usada</translation>
+            <source>Stepdown (ap), recalculated to whole passes</source>
+            <translation>Profundidade de corte (ap), recalculada para passes inteiros</translation>
         </message>
         <message>
-            <source>Stepdown ap</source>
-            <translation>Profundidade de corte ap</translation>
+            <source>Stepdown (ap): the depth of one pass at most</source>
+            <translation>Profundidade de corte (ap): a profundidade máxima de um passe</translation>
+        </message>
+        <message>
+            <source>Stepdown (ap): the depth of one pass at most; 0: all at once</source>
+            <translation>Profundidade de corte (ap): a profundidade máxima de um passe; 0: tudo de uma vez</translation>
+        </message>
+        <message>
+            <source>Stepdown Used</source>
+            <translation>Profundidade de corte usada</translation>
         </message>
         <message>
             <source>Stepover</source>
             <translation>Penetração de trabalho</translation>
         </message>
         <message>
-            <source>Stepover Used</source>
-            <translation>Penetração de trabalho usada</translation>
+            <source>Stepover (ae), recalculated to whole passes</source>
+            <translation>Penetração de trabalho (ae), recalculada para passes inteiros</translation>
         </message>
         <message>
-            <source>Stepover ae</source>
-            <translation>Penetração de trabalho ae</translation>
+            <source>Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation>Penetração de trabalho (ae): entre hélices vizinhas, no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
+        </message>
+        <message>
+            <source>Stepover (ae): the width of one pass at most</source>
+            <translation>Penetração de trabalho (ae): a largura máxima de um passe</translation>
+        </message>
+        <message>
+            <source>Stepover Used</source>
+            <translation>Penetração de trabalho usada</translation>
         </message>
         <message>
             <source>Stock</source>
@@ -2856,16 +2880,8 @@
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
         <message>
-            <source>The depth of one pass at most, ap</source>
-            <translation>A profundidade máxima de um passe, ap</translation>
-        </message>
-        <message>
             <source>The depth of one pass at most, on the radius</source>
             <translation>A profundidade de um passe, no máximo, no raio</translation>
-        </message>
-        <message>
-            <source>The depth of one pass at most; 0: all at once</source>
-            <translation>A profundidade máxima de um passe; 0: tudo de uma vez</translation>
         </message>
         <message>
             <source>The depth of the first pass</source>
@@ -3010,14 +3026,6 @@
         <message>
             <source>The job with the machine, stock, tools and clamps for the program</source>
             <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
-        </message>
-        <message>
-            <source>The last pass at the wall, ae_acab; 0: none</source>
-            <translation>O último passe na parede, ae_acab; 0: nenhum</translation>
-        </message>
-        <message>
-            <source>The last pass in depth, ap_acab; 0: none</source>
-            <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
         </message>
         <message>
             <source>The layer in the file</source>
@@ -3246,10 +3254,6 @@
         <message>
             <source>The wall towards the chuck</source>
             <translation>A parede do lado da placa</translation>
-        </message>
-        <message>
-            <source>The width of one pass at most, ae</source>
-            <translation>A largura máxima de um passe, ae</translation>
         </message>
         <message>
             <source>The width of the cut</source>
@@ -3624,6 +3628,10 @@
             <translation>Largura Y</translation>
         </message>
         <message>
+            <source>Width per pass</source>
+            <translation>Largura por passe</translation>
+        </message>
+        <message>
             <source>Work Offset</source>
             <translation>Sistema de coordenadas</translation>
         </message>
@@ -3670,14 +3678,6 @@
         <message>
             <source>Zero's place</source>
             <translation>Lugar do zero</translation>
-        </message>
-        <message>
-            <source>ae, recalculated to whole passes</source>
-            <translation>ae, recalculada para passes inteiros</translation>
-        </message>
-        <message>
-            <source>ap, recalculated to whole passes</source>
-            <translation>ap, recalculada para passes inteiros</translation>
         </message>
         <message>
             <source>by numbers</source>
@@ -3983,8 +3983,12 @@
             <translation>Um furo redondo com uma face plana em cima, para eixos com face plana; em torno do centro do círculo.</translation>
         </message>
         <message>
+            <source>A serial port, or an address as 192.168.0.7:23</source>
+            <translation>Uma porta serial, ou um endereço como 192.168.0.7:23</translation>
+        </message>
+        <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
-            <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
@@ -4109,6 +4113,10 @@
         <message>
             <source>Add a tool to this job</source>
             <translation>Adiciona uma ferramenta a este trabalho</translation>
+        </message>
+        <message>
+            <source>Add a tool: {0}</source>
+            <translation>Acrescentar ferramenta: {0}</translation>
         </message>
         <message>
             <source>Add drawings, sketches or operations of the document</source>
@@ -4457,10 +4465,6 @@
         <message>
             <source>Belt's pitch</source>
             <translation>Passo da correia</translation>
-        </message>
-        <message>
-            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
-            <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
             <source>Between the cuts of two copies</source>
@@ -4975,6 +4979,14 @@
             <translation>Corte</translation>
         </message>
         <message>
+            <source>Cutting table A</source>
+            <translation>Mesa de corte A</translation>
+        </message>
+        <message>
+            <source>Cutting table B</source>
+            <translation>Mesa de corte B</translation>
+        </message>
+        <message>
             <source>Cutting the part…</source>
             <translation>Usinando a peça…</translation>
         </message>
@@ -5037,6 +5049,10 @@
         <message>
             <source>Depth of cut ap</source>
             <translation>Profundidade de corte ap</translation>
+        </message>
+        <message>
+            <source>Depth per pass</source>
+            <translation>Profundidade por passe</translation>
         </message>
         <message>
             <source>Depth to</source>
@@ -5595,6 +5611,14 @@
             <translation>Terminando</translation>
         </message>
         <message>
+            <source>Finishing stepdown (ap_acab): of the last pass in depth; 0: none</source>
+            <translation>Profundidade de corte de acabamento (ap_acab): do último passe em profundidade; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
+            <translation>Penetração de trabalho de acabamento (ae_acab): do último passe na parede; 0: nenhum</translation>
+        </message>
+        <message>
             <source>Firmware of controllers</source>
             <translation>Firmware dos controladores</translation>
         </message>
@@ -5637,6 +5661,10 @@
         <message>
             <source>First wait</source>
             <translation>Primeira espera</translation>
+        </message>
+        <message>
+            <source>Fit the stock to the drawings</source>
+            <translation>Ajustar o bruto aos desenhos</translation>
         </message>
         <message>
             <source>Fit to drawing</source>
@@ -5993,6 +6021,10 @@
         <message>
             <source>Go on</source>
             <translation>Continuar</translation>
+        </message>
+        <message>
+            <source>Go on from here…</source>
+            <translation>Continuar daqui…</translation>
         </message>
         <message>
             <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
@@ -6843,20 +6875,24 @@
             <translation>Laser (M4 com potência)</translation>
         </message>
         <message>
+            <source>Laser table</source>
+            <translation>Mesa de laser</translation>
+        </message>
+        <message>
             <source>Last hole</source>
             <translation>Último furo</translation>
         </message>
         <message>
+            <source>Last pass: depth</source>
+            <translation>Último passe: profundidade</translation>
+        </message>
+        <message>
+            <source>Last pass: width</source>
+            <translation>Último passe: largura</translation>
+        </message>
+        <message>
             <source>Last seen</source>
             <translation>Visto por último</translation>
-        </message>
-        <message>
-            <source>Last stepdown</source>
-            <translation>Última profundidade de corte</translation>
-        </message>
-        <message>
-            <source>Last stepover</source>
-            <translation>Última penetração de trabalho</translation>
         </message>
         <message>
             <source>Later</source>
@@ -6865,6 +6901,10 @@
         <message>
             <source>Lathe job</source>
             <translation>Trabalho de torno</translation>
+        </message>
+        <message>
+            <source>Lathe with LinuxCNC</source>
+            <translation>Torno com LinuxCNC</translation>
         </message>
         <message>
             <source>Layer</source>
@@ -7277,6 +7317,10 @@
         <message>
             <source>Milling</source>
             <translation>Fresamento</translation>
+        </message>
+        <message>
+            <source>Mini-lathe</source>
+            <translation>Minitorno</translation>
         </message>
         <message>
             <source>Minor</source>
@@ -8003,6 +8047,10 @@
             <translation>Plasma</translation>
         </message>
         <message>
+            <source>Plasma table with QtPlasmaC</source>
+            <translation>Mesa de plasma com QtPlasmaC</translation>
+        </message>
+        <message>
             <source>Plate: holes, pockets and a contour</source>
             <translation>Placa: furos, bolsões e um contorno</translation>
         </message>
@@ -8456,7 +8504,7 @@
         </message>
         <message>
             <source>Restart</source>
-            <translation>Reinício</translation>
+            <translation>Retomada</translation>
         </message>
         <message>
             <source>Restart after an interruption</source>
@@ -8464,7 +8512,7 @@
         </message>
         <message>
             <source>Restart from here…</source>
-            <translation>Reiniciar daqui…</translation>
+            <translation>Retomar daqui…</translation>
         </message>
         <message>
             <source>Restart the program at a line, an operation, a contour or a place in the picture.</source>
@@ -8476,11 +8524,11 @@
         </message>
         <message>
             <source>Restart: {0}</source>
-            <translation>Reinício: {0}</translation>
+            <translation>Retomada: {0}</translation>
         </message>
         <message>
             <source>Restart…</source>
-            <translation>Reiniciar…</translation>
+            <translation>Retomar…</translation>
         </message>
         <message>
             <source>Result</source>
@@ -8720,7 +8768,7 @@
         </message>
         <message>
             <source>Send this restart…</source>
-            <translation>Enviar este reinício…</translation>
+            <translation>Enviar esta retomada…</translation>
         </message>
         <message>
             <source>Send time</source>
@@ -8823,8 +8871,12 @@
             <translation>Mais curtos que</translation>
         </message>
         <message>
+            <source>Show how far the job came when the link broke, and restart it there</source>
+            <translation>Mostrar até onde o trabalho chegou quando a ligação caiu, e retomá-lo dali</translation>
+        </message>
+        <message>
             <source>Show how far the last unfinished job came, and restart it there.</source>
-            <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o reinicia ali.</translation>
+            <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o retoma ali.</translation>
         </message>
         <message>
             <source>Show the tool's path</source>
@@ -9071,12 +9123,28 @@
             <translation>Etapa {0} de {1}</translation>
         </message>
         <message>
-            <source>Stepdown ap</source>
-            <translation>Profundidade de corte ap</translation>
+            <source>Stepdown (ap), recalculated to whole passes</source>
+            <translation>Profundidade de corte (ap), recalculada para passes inteiros</translation>
         </message>
         <message>
-            <source>Stepover ae</source>
-            <translation>Penetração de trabalho ae</translation>
+            <source>Stepdown (ap): the depth of one pass at most</source>
+            <translation>Profundidade de corte (ap): a profundidade máxima de um passe</translation>
+        </message>
+        <message>
+            <source>Stepdown (ap): the depth of one pass at most; 0: all at once</source>
+            <translation>Profundidade de corte (ap): a profundidade máxima de um passe; 0: tudo de uma vez</translation>
+        </message>
+        <message>
+            <source>Stepover (ae), recalculated to whole passes</source>
+            <translation>Penetração de trabalho (ae), recalculada para passes inteiros</translation>
+        </message>
+        <message>
+            <source>Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation>Penetração de trabalho (ae): entre hélices vizinhas, no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
+        </message>
+        <message>
+            <source>Stepover (ae): the width of one pass at most</source>
+            <translation>Penetração de trabalho (ae): a largura máxima de um passe</translation>
         </message>
         <message>
             <source>Stepper motor (open loop)</source>
@@ -9211,6 +9279,10 @@
             <translation>Faça primeiro a leitura do relógio dos dois lados.</translation>
         </message>
         <message>
+            <source>Take the feeds of the material</source>
+            <translation>Usar os avanços do material</translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation>Tirar os números de linha</translation>
         </message>
@@ -9233,6 +9305,14 @@
         <message>
             <source>Take the template of a file</source>
             <translation>Usa o modelo de um arquivo</translation>
+        </message>
+        <message>
+            <source>Take {0}</source>
+            <translation>Usar {0}</translation>
+        </message>
+        <message>
+            <source>Take {0}° for the angle between its sides</source>
+            <translation>Usar {0}° como ângulo entre os lados</translation>
         </message>
         <message>
             <source>Taken out, drawn twice</source>
@@ -9304,7 +9384,7 @@
         </message>
         <message>
             <source>The checks found errors: this restart must not be sent.</source>
-            <translation>A verificação encontrou erros: este reinício não pode ser enviado.</translation>
+            <translation>A verificação encontrou erros: esta retomada não pode ser enviada.</translation>
         </message>
         <message>
             <source>The circles and points of sketches, or the circular edges of solids</source>
@@ -9363,16 +9443,8 @@
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
         <message>
-            <source>The depth of one pass at most, ap</source>
-            <translation>A profundidade máxima de um passe, ap</translation>
-        </message>
-        <message>
             <source>The depth of one pass at most, on the radius</source>
             <translation>A profundidade de um passe, no máximo, no raio</translation>
-        </message>
-        <message>
-            <source>The depth of one pass at most; 0: all at once</source>
-            <translation>A profundidade máxima de um passe; 0: tudo de uma vez</translation>
         </message>
         <message>
             <source>The depth of the first pass</source>
@@ -9557,14 +9629,6 @@
         <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation>O último trabalho desta máquina, {0}, não foi cortado até o fim. Trabalho inacabado… diz até onde ele chegou.</translation>
-        </message>
-        <message>
-            <source>The last pass at the wall, ae_acab; 0: none</source>
-            <translation>O último passe na parede, ae_acab; 0: nenhum</translation>
-        </message>
-        <message>
-            <source>The last pass in depth, ap_acab; 0: none</source>
-            <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
         </message>
         <message>
             <source>The layer in the file</source>
@@ -9828,7 +9892,7 @@
         </message>
         <message>
             <source>The restart is made and proven…</source>
-            <translation>O reinício está sendo criado e verificado…</translation>
+            <translation>A retomada está sendo criada e verificada…</translation>
         </message>
         <message>
             <source>The retract along the cut is being calculated: wait, hold or stop.</source>
@@ -9995,10 +10059,6 @@
             <translation>A parede do lado da placa</translation>
         </message>
         <message>
-            <source>The width of one pass at most, ae</source>
-            <translation>A largura máxima de um passe, ae</translation>
-        </message>
-        <message>
             <source>The width of the cut</source>
             <translation>A largura do corte</translation>
         </message>
@@ -10052,7 +10112,7 @@
         </message>
         <message>
             <source>There is no restart to send yet.</source>
-            <translation>Ainda não há reinício para enviar.</translation>
+            <translation>Ainda não há retomada para enviar.</translation>
         </message>
         <message>
             <source>There is nothing that fits</source>
@@ -10061,6 +10121,10 @@
         <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation>Estes perfis têm mudanças não salvas: {0}</translation>
+        </message>
+        <message>
+            <source>Thesis table</source>
+            <translation>Mesa da tese</translation>
         </message>
         <message>
             <source>Thickness</source>
@@ -10255,6 +10319,10 @@
             <translation>Desliga antes</translation>
         </message>
         <message>
+            <source>Torch table</source>
+            <translation>Mesa de maçarico</translation>
+        </message>
+        <message>
             <source>Torque at speed</source>
             <translation>Torque por rotação</translation>
         </message>
@@ -10353,6 +10421,10 @@
         <message>
             <source>U-bracket</source>
             <translation>Suporte em U</translation>
+        </message>
+        <message>
+            <source>USB board</source>
+            <translation>Placa USB</translation>
         </message>
         <message>
             <source>Unfinished job…</source>
@@ -10699,12 +10771,24 @@
             <translation>Largura do rasgo</translation>
         </message>
         <message>
+            <source>Width per pass</source>
+            <translation>Largura por passe</translation>
+        </message>
+        <message>
             <source>Wing rib: out of foam by a hot wire</source>
             <translation>Nervura de asa: de espuma, por fio quente</translation>
         </message>
         <message>
             <source>Wire cut</source>
             <translation>Corte com fio</translation>
+        </message>
+        <message>
+            <source>Wire table</source>
+            <translation>Mesa de fio quente</translation>
+        </message>
+        <message>
+            <source>Without its angle it counts as flat. Between its sides:</source>
+            <translation>Sem o ângulo ela conta como reta. Entre os lados:</translation>
         </message>
         <message>
             <source>Work</source>
@@ -10887,10 +10971,6 @@
             <translation>ativo em baixo</translation>
         </message>
         <message>
-            <source>ae, recalculated to whole passes</source>
-            <translation>ae, recalculada para passes inteiros</translation>
-        </message>
-        <message>
             <source>all</source>
             <translation>todas</translation>
         </message>
@@ -10949,10 +11029,6 @@
         <message>
             <source>any</source>
             <translation>qualquer</translation>
-        </message>
-        <message>
-            <source>ap, recalculated to whole passes</source>
-            <translation>ap, recalculada para passes inteiros</translation>
         </message>
         <message>
             <source>applies a given tool length</source>
@@ -12360,7 +12436,7 @@
         </message>
         <message>
             <source>{0}, restart</source>
-            <translation>{0}, reinício</translation>
+            <translation>{0}, retomada</translation>
         </message>
         <message>
             <source>{0}. Now {1}</source>
@@ -14330,6 +14406,10 @@
             <translation>uma rosca é cortada com uma ferramenta de roscar</translation>
         </message>
         <message>
+            <source>a thread keeps its lead: a path with {owner} is not scaled</source>
+            <translation>uma rosca mantém seu avanço por volta: um percurso com {owner} não é escalado</translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation>uma tolerância deve ser maior que 0</translation>
         </message>
@@ -14488,6 +14568,10 @@
         <message>
             <source>above {0} mm</source>
             <translation>acima de {0} mm</translation>
+        </message>
+        <message>
+            <source>above {bore:g} mm</source>
+            <translation>acima de {bore:g} mm</translation>
         </message>
         <message>
             <source>above {highest_cut:g} mm</source>
@@ -14758,6 +14842,10 @@
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
+            <source>at least {0} deg</source>
+            <translation>pelo menos {0} graus</translation>
+        </message>
+        <message>
             <source>at least {0} deg: a nose angle of {1} deg or less</source>
             <translation>no mínimo {0} graus: um ângulo de ponta de {1} graus ou menos</translation>
         </message>
@@ -14974,6 +15062,10 @@
             <translation>comece com rápidos que indiquem X, Y e Z</translation>
         </message>
         <message>
+            <source>below z {face:g} mm</source>
+            <translation>abaixo de z {face:g} mm</translation>
+        </message>
+        <message>
             <source>below {depth_mm:g} mm</source>
             <translation>abaixo de {depth_mm:g} mm</translation>
         </message>
@@ -14986,8 +15078,16 @@
             <translation>abaixo de {minor_mm:.3f} mm</translation>
         </message>
         <message>
+            <source>below {most:g} mm</source>
+            <translation>abaixo de {most:g} mm</translation>
+        </message>
+        <message>
             <source>below {narrowest_mm:g} mm</source>
             <translation>abaixo de {narrowest_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>below {thick:.4g} mm</source>
+            <translation>abaixo de {thick:.4g} mm</translation>
         </message>
         <message>
             <source>below {total_mm:g} mm</source>
@@ -15858,6 +15958,10 @@
             <translation>espera até desligar os motores</translation>
         </message>
         <message>
+            <source>depth_mm is deeper than the bar sticks out of the chuck</source>
+            <translation>depth_mm vai mais fundo do que a barra sai da placa</translation>
+        </message>
+        <message>
             <source>describe it in a [[tool]] table</source>
             <translation>descreva-a em uma tabela [[tool]]</translation>
         </message>
@@ -15962,8 +16066,16 @@
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
         </message>
         <message>
+            <source>drill a narrower hole</source>
+            <translation>fure um furo mais estreito</translation>
+        </message>
+        <message>
             <source>drill first, or turn a tube</source>
             <translation>fure antes, ou torneie um tubo</translation>
+        </message>
+        <message>
+            <source>drill less deep, or use a longer bar</source>
+            <translation>fure menos fundo, ou use uma barra mais longa</translation>
         </message>
         <message>
             <source>drill wider</source>
@@ -15972,6 +16084,10 @@
         <message>
             <source>drill {0} mm</source>
             <translation>broca de {0} mm</translation>
+        </message>
+        <message>
+            <source>drill {more:.4g} mm deeper before it</source>
+            <translation>fure antes {more:.4g} mm mais fundo</translation>
         </message>
         <message>
             <source>drive a laser by a controller with grbl's laser mode</source>
@@ -15998,6 +16114,10 @@
             <translation>habilite o referenciamento ($22=1) ou desligue os limites de software ($20=0)</translation>
         </message>
         <message>
+            <source>end before it, or let the bar stick out {length:g} mm</source>
+            <translation>termine antes, ou deixe a barra sair {length:g} mm</translation>
+        </message>
+        <message>
             <source>end it at the axis</source>
             <translation>termine-o no eixo</translation>
         </message>
@@ -16012,6 +16132,10 @@
         <message>
             <source>end it with #</source>
             <translation>termine-o com #</translation>
+        </message>
+        <message>
+            <source>end nearer to the axis</source>
+            <translation>termine mais perto do eixo</translation>
         </message>
         <message>
             <source>end other programs, or lower max_rate_mm_min in the machine's profile</source>
@@ -17358,6 +17482,10 @@
             <translation>omita '{name}' se o operador da máquina o faz à mão</translation>
         </message>
         <message>
+            <source>leave --part out</source>
+            <translation>omita --part</translation>
+        </message>
+        <message>
             <source>leave blade_offset_mm out</source>
             <translation>omita blade_offset_mm</translation>
         </message>
@@ -17368,6 +17496,10 @@
         <message>
             <source>leave less for the finishing pass, or islands remain</source>
             <translation>deixe menos para o passe de acabamento, ou sobram ilhas</translation>
+        </message>
+        <message>
+            <source>leave less, or use a thicker bar</source>
+            <translation>deixe menos, ou use uma barra mais grossa</translation>
         </message>
         <message>
             <source>leave one ellipse in it and draw the rest elsewhere or as construction lines</source>
@@ -17726,6 +17858,10 @@
             <translation>refaça-o</translation>
         </message>
         <message>
+            <source>make it narrower, or lower z_mm</source>
+            <translation>faça-o mais estreito, ou reduza z_mm</translation>
+        </message>
+        <message>
             <source>make it shorter</source>
             <translation>encurte-o</translation>
         </message>
@@ -17814,6 +17950,10 @@
             <translation>gere o programa de novo</translation>
         </message>
         <message>
+            <source>make the program again with the new thread</source>
+            <translation>faça o programa de novo com a nova rosca</translation>
+        </message>
+        <message>
             <source>make the program smaller, split it, or use a larger machine</source>
             <translation>diminua o programa, divida-o ou use uma máquina maior</translation>
         </message>
@@ -17832,6 +17972,10 @@
         <message>
             <source>make them lower</source>
             <translation>baixe-as</translation>
+        </message>
+        <message>
+            <source>make them with `cncstepper run`, or check it with --part</source>
+            <translation>faça-os com `cncstepper run`, ou verifique-o com --part</translation>
         </message>
         <message>
             <source>make {name} larger</source>
@@ -18244,6 +18388,10 @@
         <message>
             <source>no material needs more than 100 kN on a square millimetre of chip</source>
             <translation>nenhum material exige mais de 100 kN por milímetro quadrado de cavaco</translation>
+        </message>
+        <message>
+            <source>no material of turning is called '{name}': it may be {names}</source>
+            <translation>nenhum material de torneamento se chama '{name}': pode ser {names}</translation>
         </message>
         <message>
             <source>no memory card is mounted</source>
@@ -18962,10 +19110,6 @@
             <translation>verifique partes do programa em separado</translation>
         </message>
         <message>
-            <source>prove them together: cncstepper run JOB</source>
-            <translation>verifique-os juntos: cncstepper run JOB</translation>
-        </message>
-        <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
             <translation>pulsos só são descartados em repouso, não no estado {state}</translation>
         </message>
@@ -19032,6 +19176,10 @@
         <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
             <translation>aumente pulloff_mm na configuração, ou verifique o fim de curso</translation>
+        </message>
+        <message>
+            <source>raise spindle_rpm</source>
+            <translation>aumente spindle_rpm</translation>
         </message>
         <message>
             <source>raise the R word of the drilling cycle</source>
@@ -19768,6 +19916,10 @@
         <message>
             <source>steps_per_mm is {steps_per_mm:g}, but the drive gives {pulses_per_mm:g}</source>
             <translation>steps_per_mm é {steps_per_mm:g}, mas o acionamento dá {pulses_per_mm:g}</translation>
+        </message>
+        <message>
+            <source>stock_to_leave_mm leaves nothing to cut</source>
+            <translation>stock_to_leave_mm não deixa nada para cortar</translation>
         </message>
         <message>
             <source>stop it, then home it, or set the zero of all axes</source>
@@ -20814,6 +20966,10 @@
             <translation>a broca não alcança essa profundidade</translation>
         </message>
         <message>
+            <source>the drill is wider than the bar</source>
+            <translation>a broca é mais larga que a barra</translation>
+        </message>
+        <message>
             <source>the ears</source>
             <translation>as orelhas</translation>
         </message>
@@ -21134,6 +21290,10 @@
             <translation>a grade tem furos demais</translation>
         </message>
         <message>
+            <source>the groove is wider than what lies before the raw end: width_mm</source>
+            <translation>o canal é mais largo que o material até a face bruta: width_mm</translation>
+        </message>
+        <message>
             <source>the head goes over a piece that is free and may stand up</source>
             <translation>o cabeçote passa sobre uma peça solta que pode estar levantada</translation>
         </message>
@@ -21194,16 +21354,20 @@
             <translation>a pastilha '{code}' não tem {name} da ISO 1832</translation>
         </message>
         <message>
+            <source>the insert is of another pitch than the thread</source>
+            <translation>a pastilha é de outro passo que a rosca</translation>
+        </message>
+        <message>
             <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
             <translation>a pastilha deve ocupar de 1 a 179 graus entre back_deg e front_deg: ocupa {angle:g}</translation>
         </message>
         <message>
-            <source>the job cannot be read: {error}</source>
-            <translation>o trabalho não pode ser lido: {error}</translation>
+            <source>the jaws are longer than the bar: jaw_mm must be below {most:g} mm</source>
+            <translation>as castanhas são mais longas que a barra: jaw_mm deve ficar abaixo de {most:g} mm</translation>
         </message>
         <message>
-            <source>the job has a program for each of {count} tools, one after the other</source>
-            <translation>o trabalho tem um programa para cada uma das {count} ferramentas, um após o outro</translation>
+            <source>the job cannot be read: {error}</source>
+            <translation>o trabalho não pode ser lido: {error}</translation>
         </message>
         <message>
             <source>the job has ended: {outcome}</source>
@@ -21216,6 +21380,14 @@
         <message>
             <source>the job has no operations</source>
             <translation>o trabalho não tem operações</translation>
+        </message>
+        <message>
+            <source>the job has one program for all its tools</source>
+            <translation>o trabalho tem um só programa para todas as ferramentas</translation>
+        </message>
+        <message>
+            <source>the job has {count} programs, one a tool, and this is not one of them</source>
+            <translation>o trabalho tem {count} programas, um por ferramenta, e este não é nenhum deles</translation>
         </message>
         <message>
             <source>the job has {of_what}</source>
@@ -21934,6 +22106,10 @@
             <translation>os pontos de uma linha à mão livre estão em alturas diferentes</translation>
         </message>
         <message>
+            <source>the points of the profile lie at one place</source>
+            <translation>os pontos do perfil estão no mesmo lugar</translation>
+        </message>
+        <message>
             <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
             <translation>a porta é aberta em 8N1: nem um socket nem um pseudoterminal tem paridade (o torno em si quer 8E1)</translation>
         </message>
@@ -22010,6 +22186,10 @@
             <translation>o processo que lê o programa terminou</translation>
         </message>
         <message>
+            <source>the profile '{name}'</source>
+            <translation>o perfil '{name}'</translation>
+        </message>
+        <message>
             <source>the profile begins behind the stock's end</source>
             <translation>o perfil começa atrás da ponta do material</translation>
         </message>
@@ -22042,8 +22222,20 @@
             <translation>o perfil é fechado: não tem extremidade junto à placa</translation>
         </message>
         <message>
+            <source>the profile is deeper than the hole that is drilled</source>
+            <translation>o perfil é mais fundo que o furo feito</translation>
+        </message>
+        <message>
             <source>the profile is smaller than its allowance</source>
             <translation>o perfil é menor que o seu sobremetal</translation>
+        </message>
+        <message>
+            <source>the profile is wider than the bar</source>
+            <translation>o perfil é mais largo que a barra</translation>
+        </message>
+        <message>
+            <source>the profile lies in the hole: there is nothing to bore</source>
+            <translation>o perfil fica dentro do furo: não há o que mandrilar</translation>
         </message>
         <message>
             <source>the profile turns back along Z</source>
@@ -22510,6 +22702,10 @@
             <translation>o fuso não gira tão rápido</translation>
         </message>
         <message>
+            <source>the spindle does not turn so slowly</source>
+            <translation>o fuso não gira tão devagar</translation>
+        </message>
+        <message>
             <source>the spindle does not turn, but the motion goes by its turns</source>
             <translation>o spindle não gira, mas o movimento depende das voltas dele</translation>
         </message>
@@ -22550,8 +22746,16 @@
             <translation>o interpretador autônomo só move X Y Z A B C</translation>
         </message>
         <message>
+            <source>the start is in the chuck: its z must be at least {z:g} mm, or its x outside {diameter:g} mm</source>
+            <translation>o início está na placa: seu z deve ser pelo menos {z:g} mm, ou seu x fora de {diameter:g} mm</translation>
+        </message>
+        <message>
             <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
             <translation>o ponto inicial está dentro do material: seu z deve ser no mínimo {face:g} mm, ou seu x ficar fora de {diameter:g} mm</translation>
+        </message>
+        <message>
+            <source>the start lies over the axis: its x is {x:g} mm, it must be at least 0</source>
+            <translation>o início passa do eixo: seu x é {x:g} mm, deve ser pelo menos 0</translation>
         </message>
         <message>
             <source>the state of the machine's position cannot be stored: {error}</source>
@@ -22660,6 +22864,10 @@
         <message>
             <source>the thread is not longer than its pull-out</source>
             <translation>a rosca não é mais longa que a sua saída</translation>
+        </message>
+        <message>
+            <source>the thread is wider than the bar</source>
+            <translation>a rosca é mais larga que a barra</translation>
         </message>
         <message>
             <source>the thread takes too many passes</source>
@@ -23438,6 +23646,10 @@
             <translation>para inverter um lado use o espelhamento</translation>
         </message>
         <message>
+            <source>to_diameter_mm leaves nothing to face</source>
+            <translation>to_diameter_mm não deixa nada para facear</translation>
+        </message>
+        <message>
             <source>too many drawings, or one read in too many ways</source>
             <translation>desenhos demais, ou um lido de maneiras demais</translation>
         </message>
@@ -23806,6 +24018,10 @@
             <translation>use um contraponto, ou no máximo {length:.4g} mm</translation>
         </message>
         <message>
+            <source>use a thicker bar, or correct the diameter</source>
+            <translation>use uma barra mais grossa, ou corrija o diâmetro</translation>
+        </message>
+        <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
             <translation>use uma fresa de rosca de um dente, indicada como engraver com tip_diameter_mm grande ou como flat</translation>
         </message>
@@ -23832,6 +24048,10 @@
         <message>
             <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
             <translation>use um engagement_max_deg de {deg} ou mais com um stepover_mm de {stepover_mm:g} ou mais, uma ferramenta menor ou outro padrão</translation>
+        </message>
+        <message>
+            <source>use an insert of that pitch</source>
+            <translation>use uma pastilha desse passo</translation>
         </message>
         <message>
             <source>use another blade</source>
@@ -24654,6 +24874,10 @@
             <translation>x_is = diameter</translation>
         </message>
         <message>
+            <source>z falls towards the chuck</source>
+            <translation>z diminui em direção à placa</translation>
+        </message>
+        <message>
             <source>z {0} mm at most</source>
             <translation>z {0} mm no máximo</translation>
         </message>
@@ -24864,6 +25088,10 @@
         <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
             <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
+        </message>
+        <message>
+            <source>{count} rules of style are not applied, because of their selectors: {names}</source>
+            <translation>{count} regras de estilo não são aplicadas, por causa de seus seletores: {names}</translation>
         </message>
         <message>
             <source>{count} texts are longer than their path; letters beyond it are left out: {names}</source>
@@ -25422,6 +25650,10 @@
             <translation>{name} é {offset}, esperado {wanted} mm</translation>
         </message>
         <message>
+            <source>{name} lies before the raw end of the bar</source>
+            <translation>{name} fica antes da face bruta da barra</translation>
+        </message>
+        <message>
             <source>{name} lists no such alarm</source>
             <translation>{name} não lista esse alarme</translation>
         </message>
@@ -25756,6 +25988,10 @@
         <message>
             <source>{what} must be larger than {than}</source>
             <translation>{what}: deve ser maior que {than}</translation>
+        </message>
+        <message>
+            <source>{what} reaches into the chuck or its jaws</source>
+            <translation>{what} entra na placa ou em suas castanhas</translation>
         </message>
         <message>
             <source>{what} while the tool is compensated</source>

@@ -27,11 +27,28 @@ BY_CODE = {  # of errors that speak of several keys
     "chart-consumable": "consumable",
     "chart-feed": "feed_mm_min",
     "process-machine": "process",
+    "tool-shape": "tool",
     "font-unknown": "font",
     "font-style": "style",
     "text-glyph": "text",
     "text-script": "text",
     "text-empty": "text",
+    **dict.fromkeys(("blade-width", "groove-width"), "width_mm"),
+    **dict.fromkeys(("groove-depth", "thread-crest", "thread-wide"), "diameter_mm"),
+    **dict.fromkeys(("groove-outside", "part-outside", "thread-outside"), "z_mm"),
+    **dict.fromkeys(("drill-deep", "drill-reach"), "depth_mm"),
+    **dict.fromkeys(("thread-length", "thread-cylinder"), "length_mm"),
+    "thread-axis": "taper_deg",
+    **dict.fromkeys(("thread-speed", "speed-missing", "speed-high", "speed-low"), "spindle_rpm"),
+    **dict.fromkeys(("feed-missing", "feed-high", "feed-low"), "feed_mm_rev"),
+    "ap-high": "ap_mm",
+    "face-outside": "to_z_mm",
+    "face-diameter": "to_diameter_mm",
+    "surface-speed": "constant_surface_speed",
+    **dict.fromkeys(("profile-outside", "profile-begin", "bore-wide", "bore-deep"), "drawings"),
+    **dict.fromkeys(("blade-tool", "blade-reach", "drill-tool", "drill-wide", "face-tool", "part-tool"), "tool"),
+    **dict.fromkeys(("thread-tool", "thread-insert", "profile-tool", "bore-tool", "bore-narrow"), "tool"),
+    **dict.fromkeys(("insert-front", "insert-back", "nose-radius"), "tool"),
 }
 NOT_BETWEEN = later("must be 0, or at least {0}")
 SENTENCES = {
@@ -166,8 +183,8 @@ def beyond(obj: Any, changes: dict[str, Any], shown: Callable[[str, float], str]
     return {key: Refused(SENTENCES[limit.reason], shown(key, limit.most)) for key, limit in passed.items()}
 
 
-def stock_warnings(obj: Any) -> list[str]:
-    """Return the sentences for an operation with the values that it has now, the worst first.
+def stock_findings_of(obj: Any) -> list[Any]:
+    """Return the findings for an operation in its stock with the values that it has now, the worst first.
 
     None for what is no operation, belongs to no job, or is refused for another reason, which its panel says.
     """
@@ -177,10 +194,9 @@ def stock_warnings(obj: Any) -> list[str]:
         return []
     from CNCStepper.job.stock_fit import stock_findings
     from CNCStepper.workbench.document.stock_of_job import stock_of
-    from CNCStepper.workbench.services.findings_list import sentence
 
     try:
         cycle = obj.Proxy.cycle(obj, tuple(jobs[0].WorkOrigin))
-        return [sentence(finding) for finding in stock_findings(cycle, stock_of(jobs[0]))]
+        return stock_findings(cycle, stock_of(jobs[0]))
     except CNCStepperError:  # the panel says it beside its field
         return []

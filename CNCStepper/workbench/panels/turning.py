@@ -22,7 +22,7 @@ from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.panels.process_fields import MachineField
 from CNCStepper.workbench.panels.program_job_panel import ProgramJobPanel
 from CNCStepper.workbench.panels.task_panel import Panel
-from CNCStepper.workbench.panels.tool_field import ToolField
+from CNCStepper.workbench.panels.tools.tool_field import ToolField
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.icons import picture_painter
 from CNCStepper.workbench.services.translation import later, tr
@@ -70,10 +70,9 @@ class TurnedMaterialField(ChoiceField):
 
     def choices(self) -> list[tuple[Any, str]]:
         """Return none, and the materials of turning."""
-        from CNCStepper.machine.materials import material, material_names
+        from CNCStepper.machine.materials import turned_materials
 
-        known = [name for name in material_names() if material(name).turning is not None]
-        return [("", words_of("none")), *((name, words_of(name)) for name in known)]
+        return [("", words_of("none")), *((name, words_of(name)) for name in turned_materials())]
 
 
 class LatheJobPanel(ProgramJobPanel):
