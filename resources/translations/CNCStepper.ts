@@ -408,6 +408,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Common Lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Common lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Constant Surface Speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -769,6 +777,10 @@
         </message>
         <message>
             <source>Face Stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4675,6 +4687,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Common lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Comparing the cut with the drawing…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5352,6 +5368,10 @@
         </message>
         <message>
             <source>Facing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7372,6 +7392,10 @@
         </message>
         <message>
             <source>Of its curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of its sheet, mm; 0: that of the sheets of material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14954,6 +14978,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>common lines: {blocks} blocks of parts, {length:.3f} m of cut and {pierces} pierces saved</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>compute it in several lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18182,6 +18210,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>parts that share cuts have no gap between their cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18834,6 +18866,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set gap_mm to 0, or leave common lines out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set it again, and do not start before it is right</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18935,6 +18971,10 @@
         </message>
         <message>
             <source>sheet refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sheet {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24427,6 +24467,10 @@
         </message>
         <message>
             <source>{left_out} messages were left out: more came than could be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{left} blocks of parts are cut apart: no common line fits between them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -408,6 +408,14 @@
             <translation>Colunas</translation>
         </message>
         <message>
+            <source>Common Lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Common lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Constant Surface Speed</source>
             <translation>Velocidade de corte constante</translation>
         </message>
@@ -770,6 +778,10 @@
         <message>
             <source>Face Stock</source>
             <translation>Sobremetal da face</translation>
+        </message>
+        <message>
+            <source>Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Fastest spindle</source>
@@ -4675,6 +4687,10 @@
             <translation>Comprimento comandado</translation>
         </message>
         <message>
+            <source>Common lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Comparing the cut with the drawing…</source>
             <translation>Comparando o corte com o desenho…</translation>
         </message>
@@ -5353,6 +5369,10 @@
         <message>
             <source>Facing</source>
             <translation>Faceamento</translation>
+        </message>
+        <message>
+            <source>Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Failed</source>
@@ -7373,6 +7393,10 @@
         <message>
             <source>Of its curves</source>
             <translation>De suas curvas</translation>
+        </message>
+        <message>
+            <source>Of its sheet, mm; 0: that of the sheets of material</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Of its tip</source>
@@ -14954,6 +14978,10 @@
             <translation>cncstepper disconnect --port {port}, depois conecte de novo</translation>
         </message>
         <message>
+            <source>common lines: {blocks} blocks of parts, {length:.3f} m of cut and {pierces} pierces saved</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>compute it in several lines</source>
             <translation>calcule-a em várias linhas</translation>
         </message>
@@ -18182,6 +18210,10 @@
             <translation>o sangramento usa um bedame externo</translation>
         </message>
         <message>
+            <source>parts that share cuts have no gap between their cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation>peck_mm não deve exceder depth_mm, {limit:g} mm; escreva 0 para furar de uma vez</translation>
         </message>
@@ -18834,6 +18866,10 @@
             <translation>defina entry_slit = true, que corta uma fenda pela peça até cada furo, ou deixe os furos de fora</translation>
         </message>
         <message>
+            <source>set gap_mm to 0, or leave common lines out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set it again, and do not start before it is right</source>
             <translation>defina-o de novo, e não inicie antes que esteja certo</translation>
         </message>
@@ -18936,6 +18972,10 @@
         <message>
             <source>sheet refused</source>
             <translation>chapa recusada</translation>
+        </message>
+        <message>
+            <source>sheet {0} mm</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
@@ -24428,6 +24468,10 @@
         <message>
             <source>{left_out} messages were left out: more came than could be read</source>
             <translation>{left_out} mensagens foram omitidas: chegaram mais do que se podia ler</translation>
+        </message>
+        <message>
+            <source>{left} blocks of parts are cut apart: no common line fits between them</source>
+            <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{length_mm:.3f} mm to ramp on</source>
