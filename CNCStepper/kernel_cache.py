@@ -9,6 +9,7 @@ import os
 import platform
 import shutil
 import sys
+from collections.abc import Collection, Iterator
 from pathlib import Path
 
 import platformdirs
@@ -25,12 +26,21 @@ postponed = False  # set before kernels are imported: numba is loaded only once 
 def digest() -> str:
     """Return what names exactly these sources of the kernels."""
     found = hashlib.sha256()
-    for path in sorted(PACKAGE.rglob("*.py")):
-        if path.relative_to(PACKAGE).parts[0] in ROOMS_ABOVE:
-            continue
-        state = path.stat()
-        found.update(f"{path}|{state.st_size}|{state.st_mtime_ns}\n".encode())
+    for path, size, mtime_ns in sorted(_sources(str(PACKAGE), ROOMS_ABOVE)):
+        found.update(f"{path}|{size}|{mtime_ns}\n".encode())
     return found.hexdigest()[:16]
+
+
+def _sources(folder: str, left_out: Collection[str] = ()) -> Iterator[tuple[str, int, int]]:
+    """Yield path, bytes and time in ns of each module below a folder; pathlib would take a third of a short verb."""
+    with os.scandir(folder) as entries:
+        for entry in entries:
+            if entry.is_dir():
+                if entry.name not in left_out:
+                    yield from _sources(entry.path)
+            elif entry.name.endswith(".py"):
+                state = entry.stat()
+                yield entry.path, state.st_size, state.st_mtime_ns
 
 
 def cache_folder(root: Path) -> Path:

@@ -20,12 +20,13 @@ import numpy as np
 
 from CNCStepper import kernel_cache
 
-kernel_cache.folder()  # numba reads its variable when it is loaded
-
 PYTHON_S = 0.15  # of plain Python before numba is loaded, which takes twice as long
+
+LOOK_EVERY = 32  # calls of kernels by kernels, to have the time: asking for it takes as long as a small one
 
 numba: Any = None
 if not kernel_cache.postponed:
+    kernel_cache.folder()  # numba reads its variable when it is loaded
     try:
         import numba
     except ImportError:  # everything still works, slowly; callers tell the user through COMPILED
@@ -72,6 +73,8 @@ class _Postponed:
     made: ClassVar[list[_Postponed]] = []
     spent_s = 0.0
     begun_s: float | None = None  # when the outermost kernel that runs was called
+    calls = 0
+    late = False  # their time is over
 
     def __init__(self, kernel: Callable[..., Any], options: dict[str, Any]):
         self._kernel, self._options = kernel, options
@@ -87,8 +90,11 @@ class _Postponed:
 
     @classmethod
     def _has_time(cls) -> bool:
-        running_s = 0.0 if cls.begun_s is None else time.thread_time() - cls.begun_s
-        return cls.spent_s + running_s < PYTHON_S
+        cls.calls += 1
+        if cls.begun_s is None or cls.calls % LOOK_EVERY == 0:
+            running_s = 0.0 if cls.begun_s is None else time.thread_time() - cls.begun_s
+            cls.late = cls.late or cls.spent_s + running_s >= PYTHON_S
+        return not cls.late
 
     def _run(self, *arguments: Any, **named: Any) -> Any:
         if _Postponed.begun_s is not None:
@@ -110,6 +116,7 @@ def load() -> None:
     global numba
     if numba is not None:
         return
+    kernel_cache.folder()
     import numba as loaded
 
     numba = loaded

@@ -175,6 +175,12 @@ def begins_of(chunk: Chunk, before: np.ndarray) -> np.ndarray:
     return np.vstack([before[None, :], chunk.end[:-1]]) if len(chunk) else chunk.end.copy()
 
 
+def distinct(numbers: np.ndarray) -> np.ndarray:
+    """Return each number of an array once, ascending; np.unique would load masked arrays, for 6 ms."""
+    ordered = np.sort(numbers)
+    return ordered[np.append(True, ordered[1:] != ordered[:-1])[: len(ordered)]]
+
+
 def require_straight_axes(path: Toolpath, file: str = "") -> Toolpath:
     """Return a table that can be proven, simulated and timed: of X, Y and Z, in work systems that are not turned.
 
@@ -182,7 +188,7 @@ def require_straight_axes(path: Toolpath, file: str = "") -> Toolpath:
     """
     table = path.table()
     further = table.end.shape[1] > XYZ
-    turned = np.isin(table.state, [one for one in np.unique(table.state) if path.states[one].rotation_deg])
+    turned = np.isin(table.state, [one for one in distinct(table.state) if path.states[one].rotation_deg])
     if not further and not turned.any():
         return path
     if further:

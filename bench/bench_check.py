@@ -3,11 +3,12 @@
 
 A long program's memory is compared with that of the shortest, its time with LinuxCNC's `rs274 -g` reading the same
 text; a short one's with a bare Python that imports numpy and click. Another process each time: nothing is kept but the
-compiled kernels. Which of these is to be shown may be said: long raster pauses short.
+compiled kernels. Which of these is to be shown may be said: long raster pauses short growth.
 """
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
@@ -15,11 +16,15 @@ import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from growth import draw_growth
+
 LENGTHS = (100_000, 1_000_000, 10_000_000)
+GROWING = tuple(10**power for power in range(3, 8))
 RASTER_LENGTHS = (500_000, 2_000_000)
 PAUSE_LENGTHS = (300_000, 3_000_000)
 RASTER_ROWS = 1000
-SHORT_RUNS = 5
+SHORT_RUNS = 10
+SHORT = {"check": True, "time": True, "hold": False, "stop": False}  # verbs, and whether they take a program
 MACHINE = ["--machine", "table-a"]
 STOCK = ["--stock", "120,120,20", "--tool", "flat:6"]
 VERB = "import sys; from CNCStepper.cli.main import main; sys.argv[0] = 'cncstepper'; main()"
@@ -104,6 +109,18 @@ def print_long(folder: Path) -> None:
         print_lengths(name, folder / "long.ngc", write_program, LENGTHS, more, beside_rs274)
 
 
+def print_growth(folder: Path) -> None:
+    """Print and draw how time grows with the program's length, with stock and tool, and memory with it."""
+    program, points = folder / "growing.nc", list[tuple[int, float, float]]()
+    for lines in GROWING:
+        write_program(program, lines)
+        points.append((lines, *measured([sys.executable, "-c", VERB, "check", str(program), *MACHINE, *STOCK])))
+        print(f"check: {lines} lines with stock and tool: {points[-1][1]:.2f} s of processor, ", end="")
+        print(f"{points[-1][2]:.0f} MB", flush=True)
+    lengths, spent_s, _ = zip(*points, strict=True)
+    draw_growth("check-with-stock", "lines of `cncstepper check` with stock and tool", lengths, {"check": spent_s})
+
+
 def print_raster(folder: Path) -> None:
     """Print time and memory of programs that are checked against a job."""
     job = folder / "job.toml"
@@ -149,21 +166,39 @@ def beside_rs274(program: Path, own_s: float) -> str:
 
 def print_short(folder: Path) -> None:
     """Print what a verb takes that has hardly anything to do."""
-    program = folder / "short.nc"
-    program.write_text("G21 G90\nG1 X10 F300\nG0 X0\n", encoding="ascii")
-    bare_s = least_s(["-c", "import numpy, click"])
-    for name, words in (("check", [str(program), *MACHINE]), ("time", [str(program), *MACHINE]), ("hold", [])):
-        own_s = least_s(["-c", VERB, name, *words])
+    bare_s, *verbs_s = short_s(folder)
+    for name, own_s in zip(SHORT, verbs_s, strict=True):
         print(f"check: {name} of three lines: {own_s:.2f} s of processor, a Python with numpy and click ", end="")
         print(f"{bare_s:.2f} s, ratio {own_s / bare_s:.1f}", flush=True)
 
 
-def least_s(words: list[str]) -> float:
-    """Return the least processor time of several runs of Python."""
-    return min(measured([sys.executable, *words])[0] for _ in range(SHORT_RUNS))
+def short_s(folder: Path) -> list[float]:
+    """Return the least processor time, of runs by turns, of a bare Python and of each verb of SHORT on three lines."""
+    program = folder / "short.nc"
+    program.write_text("G21 G90\nG1 X10 F300\nG0 X0\n", encoding="ascii")
+    verbs = [
+        ["-c", VERB, name, *([str(program), *MACHINE] if on_program else [])] for name, on_program in SHORT.items()
+    ]
+    sides = [["-c", "import numpy, click"], *verbs]
+    runs = [[measured([sys.executable, *words])[0] for words in sides] for _ in range(SHORT_RUNS)]
+    return [min(side) for side in zip(*runs, strict=True)]
 
 
-SHOWN = {"long": print_long, "raster": print_raster, "pauses": print_pauses, "short": print_short}
+def guarded() -> dict[str, float]:
+    """Return how quickly verbs start beside a bare Python with numpy and click."""
+    with tempfile.TemporaryDirectory() as folder:
+        bare_s, *verbs_s = short_s(Path(folder))
+    return {f"start, {name}": bare_s / own_s for name, own_s in zip(SHORT, verbs_s, strict=True)}
+
+
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # an installed program's modules are compiled
+SHOWN = {
+    "long": print_long,
+    "raster": print_raster,
+    "pauses": print_pauses,
+    "short": print_short,
+    "growth": print_growth,
+}
 
 if __name__ == "__main__":
     main([word for word in sys.argv[1:] if word in SHOWN])

@@ -17,7 +17,15 @@ import sys
 import tempfile
 from pathlib import Path
 
-GUARDED = ("interpreter", "offset", "removal", "motion", "pocket", "drawings")  # bench_NAME.py has a function `guarded`
+GUARDED = (
+    "interpreter",
+    "offset",
+    "removal",
+    "motion",
+    "pocket",
+    "drawings",
+    "check",
+)  # bench_NAME.py has a function `guarded`
 MOST_LOST = 0.10  # of a recorded ratio
 RECORDED = Path(__file__).with_name("recorded_ratios.json")
 

@@ -2,15 +2,12 @@
 """Findings of a job about its own program: notes of its files, feeds out of range, warnings of its cycles.
 
 Cuts into a piece that an earlier contour has set free: nothing holds it any more.
-
-On which line of the file each operation of a program begins, and each tool is used first.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
@@ -25,8 +22,9 @@ from CNCStepper.job.stock_fit import ON_EDGE_MM
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool_shapes import BEAMS
 from CNCStepper.simulation.finding import Finding
+from CNCStepper.simulation.first_lines import FirstLines
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.toolpath import Span, Toolpath
+from CNCStepper.toolpath import Span
 
 SLACK_MM2 = 0.01  # a cut that touches a piece by rounding does not enter it
 
@@ -72,37 +70,6 @@ def _freed(operation: Cycle, job: Job) -> BaseGeometry | None:
 def _words(operations: Sequence[Cycle], before: int, number: int) -> str:
     one, other = (f"operation {place} ({operation_name(operations[place - 1])})" for place in (number, before))
     return Text("{one} cuts into a piece that {other} has set free: nothing holds it", one=one, other=other)
-
-
-class FirstLines:
-    """Those of a program that may come in parts, each a whole table of consecutive rows."""
-
-    def __init__(self) -> None:
-        self._rows = 0
-        self._of_mark: dict[int, int] = {}
-        self.of_tool: dict[int, int] = {}
-
-    @classmethod
-    def of(cls, toolpath: Toolpath) -> FirstLines:
-        """Return those of a whole program."""
-        lines = cls()
-        lines.see(toolpath, [span.first for span in toolpath.spans])
-        return lines
-
-    def see(self, toolpath: Toolpath, marks: Iterable[int]) -> None:
-        """Take the next part; marks: rows of the whole program at which operations begin or end."""
-        table = toolpath.table()
-        first, self._rows = self._rows, self._rows + len(table)
-        for mark in marks:
-            if first <= mark < self._rows:
-                self._of_mark[mark] = int(table.line[mark - first])
-        states, rows = np.unique(table.state, return_index=True)
-        for state, row in sorted(zip(states.tolist(), rows.tolist(), strict=True), key=lambda pair: pair[1]):
-            self.of_tool.setdefault(toolpath.states[state].tool, int(table.line[row]))
-
-    def of_operations(self, spans: Iterable[Span]) -> list[int]:
-        """Return the first line of each operation among spans; 1 for one that moves nothing at the program's end."""
-        return [self._of_mark.get(span.first, 1) for span in spans if span.kind == "operation"]
 
 
 def findings_of(

@@ -6,6 +6,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
+from CNCStepper.toolpath import distinct
+
 MOST = 1000
 KEPT = 16 * MOST  # lines from which they are chosen, while a program is read
 
@@ -22,7 +24,7 @@ def milestones(lines: ArrayLike, ends_s: ArrayLike) -> list[list[float]]:
     order = np.argsort(lines, kind="stable")
     risen_s = np.maximum.accumulate(ends_s[order])
     last = np.flatnonzero(np.append(np.diff(lines[order]) != 0, True))  # rows after which another line begins
-    kept = last[np.unique(np.linspace(0, len(last) - 1, min(len(last), MOST)).round().astype(int))]
+    kept = last[distinct(np.linspace(0, len(last) - 1, min(len(last), MOST)).round().astype(int))]
     return [[int(line), round(float(end_s), 3)] for line, end_s in zip(lines[order][kept], risen_s[kept], strict=True)]
 
 

@@ -19,7 +19,7 @@ from CNCStepper.control.program.certificate import digest_of_text
 from CNCStepper.cycles.cycle import Answer, Removal
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.gcode.wire.wire_text import WireText
-from CNCStepper.job.findings import FirstLines, findings_of
+from CNCStepper.job.findings import findings_of
 from CNCStepper.job.make import Part, is_split, make_parts, make_program
 from CNCStepper.job.model import Job
 from CNCStepper.job.planned_times import milestones
@@ -37,6 +37,7 @@ from CNCStepper.simulation.checks.clamps import Clamp
 from CNCStepper.simulation.checks.program_report import report
 from CNCStepper.simulation.exact.swept_area import Judgement, judge
 from CNCStepper.simulation.finding import Finding, refused, worst_first
+from CNCStepper.simulation.first_lines import FirstLines
 from CNCStepper.simulation.prior_programs import followed
 from CNCStepper.simulation.removal.heightmap import HeightMap, height_map
 from CNCStepper.simulation.stock import Stock

@@ -22,18 +22,15 @@ import numpy as np
 
 from CNCStepper.gcode.interpreter.program_file import text_pieces
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
-from CNCStepper.gcode.wire.translation import TranslatedFile
 from CNCStepper.gcode.wire.wire_file import WireFile, WireOptions, wire_of_file
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.input_file import Unchanged
-from CNCStepper.job.findings import FirstLines
 from CNCStepper.job.planned_times import Milestones
 from CNCStepper.job.proof_inputs import Given
 from CNCStepper.job.wire_round_trip import translated_to
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.profile import Machine
-from CNCStepper.motion.interpolation.dda_stream import DdaTimes
 from CNCStepper.motion.planner.backlash_moves import ToolMoves
 from CNCStepper.motion.planner.buffers import TICKS_PER_S
 from CNCStepper.motion.planner.chunk_window import ChunkWindow
@@ -43,6 +40,7 @@ from CNCStepper.simulation.check_context import CheckContext, Cutting
 from CNCStepper.simulation.checks.check_program import Checks
 from CNCStepper.simulation.checks.program_report import Figures
 from CNCStepper.simulation.finding import MOST_LISTED, Finding, refused
+from CNCStepper.simulation.first_lines import FirstLines
 from CNCStepper.simulation.table_parts import PART_ROWS, TableParts
 from CNCStepper.state import Start
 from CNCStepper.toolpath import Chunk, Event, Span, Toolpath, straight_chunks
@@ -52,6 +50,7 @@ if TYPE_CHECKING:  # modules for the stock are loaded where there is one: a shor
 
     from CNCStepper.control.program.program_columns import ColumnWriter
     from CNCStepper.cycles.cycle import Removal
+    from CNCStepper.gcode.wire.translation import TranslatedFile
     from CNCStepper.simulation.checks.clamps import Clamp
     from CNCStepper.simulation.cutter_solid import Tools
     from CNCStepper.simulation.exact.cutting_path import JudgedPath
@@ -192,6 +191,8 @@ class _FileProof:
         """Return the reading of the file through its wire text."""
         dialect = self._given.dialect
         if (target := translated_to(self._machine, dialect)) is not None:
+            from CNCStepper.gcode.wire.translation import TranslatedFile
+
             return TranslatedFile(path, start, dialect, target, self._play, **options)
         return wire_of_file(path, start, dialect, self._play, **options)
 
@@ -231,6 +232,8 @@ class _FileProof:
             speeds = Run(again_path, self._machine, forgets=True).row_speeds_mm_s()
         begun, known = begun_chunks(path, chunks)
         if self._machine.interpolation != "planner":
+            from CNCStepper.motion.interpolation.dda_stream import DdaTimes
+
             times = DdaTimes(begun, self._machine, known)
             for ends_s in times.row_ends_s():
                 yield _Planned(waiting.popleft(), ends_s, next(speeds))

@@ -10,7 +10,6 @@ from CNCStepper.gcode.dialects import Dialect
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.gcode.wire.read_back import read_back
-from CNCStepper.gcode.wire.translation import translate
 from CNCStepper.gcode.wire.wire_text import WireText
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import Machine
@@ -42,6 +41,8 @@ def wire_of(
 ) -> WireText:
     """Return the wire text of a program on a machine, with this backlash compensated; raises ProgramError."""
     if (target := translated_to(machine, dialect)) is not None:
+        from CNCStepper.gcode.wire.translation import translate
+
         return translate(text, dialect, target, file, start, play=play).wire
     return prepare(text, dialect, file, start, play)
 
@@ -60,6 +61,8 @@ def wire_round_trip(
     """
     play = backlash_of(machine, dialect)
     if (target := translated_to(machine, dialect)) is not None:
+        from CNCStepper.gcode.wire.translation import translate
+
         wire, motors = translate(text, dialect, target, file, start, share, play)
     else:
         wire = prepare(text, dialect, file, start, play)

@@ -23,7 +23,7 @@ from CNCStepper.units import S_PER_MIN
 TURN_DEG = 360.0
 
 
-class Drive(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
+class Drive(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True):
     """What turns pulses into travel; either a screw or a belt on a pulley, with an encoder where the loop is closed.
 
     steps_per_turn: of the motor, full steps. gear_ratio: turns of the motor for one of screw or pulley.

@@ -16,7 +16,7 @@ from CNCStepper.quantities import Bounds
 LONGEST_RECORD = 60  # bytes: a record of two coordinates and a feed, each of ten digits
 
 
-class LatheLink(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
+class LatheLink(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True):
     """What may lie in the lathe's buffer.
 
     ahead_s: of motion that was sent and is not done; a record that lasts longer is sent alone. ahead_bytes: of records

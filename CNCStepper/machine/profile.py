@@ -47,7 +47,7 @@ TorqueOr0 = Annotated[float, Bounds("torque", zero=True)]
 
 
 class _Checked(BaseModel):
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True)
 
 
 class Motor(_Checked):

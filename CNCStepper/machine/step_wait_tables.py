@@ -42,7 +42,7 @@ def accelerated_s(acceleration_steps_s2: float, steps: int) -> tuple[float, ...]
     return tuple(after - before for before, after in pairwise(times))
 
 
-class Waits(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False):
+class Waits(BaseModel, extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True):
     """A profile's table of waits, in one of three forms; times count from step to step of the axis that goes farthest.
 
     table_ms: the waits themselves, none longer than the one before it. first_ms, change_ms, least_ms: counted down.

@@ -54,7 +54,7 @@ LONGEST_PULSE_US = 50_000.0  # as the thesis sets it
 Turning = Literal["x", "y", "z", "-x", "-y", "-z"]
 
 
-class Signals(BaseModel, extra="forbid", frozen=True):
+class Signals(BaseModel, extra="forbid", frozen=True, defer_build=True):
     """The signals of step and direction drives.
 
     pulse_us: a step pulse is on for at least this. gap_us: and off; also the least between any two edges.
@@ -142,7 +142,7 @@ BOARDS_ACTS = ("limit", "door")  # that only the controller itself can do
 Act = Literal["start", "pause", "back", "stop", "flood", "mist", "spindle_stop", "switch", "limit", "door"]
 
 
-class Input(BaseModel, extra="forbid", frozen=True):
+class Input(BaseModel, extra="forbid", frozen=True, defer_build=True):
     """One button or switch.
 
     pin: one of CONTROLLER_PINS, or one of INPUT_PINS of a parallel port. port: that port's device file; without it the
@@ -231,7 +231,7 @@ def seen_by_sender(inputs: Sequence[Input]) -> list[Input]:
     ]
 
 
-class Relay(BaseModel, extra="forbid", frozen=True):
+class Relay(BaseModel, extra="forbid", frozen=True, defer_build=True):
     """What a key of the dock switches. name: on the key. device: one of DEVICES."""
 
     name: Annotated[str, Field(min_length=1, max_length=LONGEST_NAME)]

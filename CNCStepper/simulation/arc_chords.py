@@ -17,6 +17,8 @@ def arcs_of(table: Chunk, begin: np.ndarray, end: np.ndarray, centre: np.ndarray
     Arcs that begin at an unknown point of their plane are left out; the height over it may be unknown.
     """
     is_arc = (table.kind == ARC_CW) | (table.kind == ARC_CCW)
+    if not is_arc.any():
+        return [Arcs.of(table, begin, end, centre, np.zeros(0, np.int64), plane) for plane in range(3)]
     known = [np.isfinite(begin[:, PLANE_AXES[plane][:2]]).all(axis=1) & (table.plane == plane) for plane in range(3)]
     return [Arcs.of(table, begin, end, centre, np.flatnonzero(is_arc & known[plane]), plane) for plane in range(3)]
 

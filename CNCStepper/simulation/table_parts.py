@@ -14,7 +14,7 @@ from math import inf
 import numpy as np
 
 from CNCStepper.state import Start, State
-from CNCStepper.toolpath import CHUNK_ROWS, Chunk, Event, Toolpath
+from CNCStepper.toolpath import CHUNK_ROWS, Chunk, Event, Toolpath, distinct
 
 PART_ROWS = 2 * CHUNK_ROWS
 
@@ -35,7 +35,7 @@ class TableParts:
         first = chunks[0].first
         events = self._events_before(inf if is_last else chunks[-1].first + len(chunks[-1]))
         named = [*(chunk.state for chunk in chunks), np.array([event.state for event in events], np.int64)]
-        used = np.unique(np.concatenate([np.unique(states) for states in named]))
+        used = distinct(np.concatenate([distinct(states) for states in named]))
         own = [
             replace(chunk, first=chunk.first - first, state=np.searchsorted(used, chunk.state).astype(np.int32))
             for chunk in chunks

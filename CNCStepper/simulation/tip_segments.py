@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from CNCStepper.simulation.arc_chords import arcs_of
-from CNCStepper.toolpath import Chunk, Toolpath, begins_of
+from CNCStepper.toolpath import ARC_CW, Chunk, Toolpath, begins_of
 
 
 @dataclass(frozen=True)
@@ -29,6 +29,8 @@ class Segments:
         return len(self.row)
 
     def __getitem__(self, which: np.ndarray | slice) -> Segments:
+        if isinstance(which, np.ndarray) and which.dtype == bool and which.all():
+            return self
         return Segments(self.begin[which], self.end[which], self.row[which])
 
     @property
@@ -36,12 +38,27 @@ class Segments:
         """The lower of the two heights of each segment."""
         return np.minimum(self.begin[:, 2], self.end[:, 2])
 
+    @property
+    def length_mm(self) -> np.ndarray:
+        """The length of each segment, float64[n]."""
+        x, y, z = (self.end - self.begin).T
+        return np.sqrt(x * x + y * y + z * z)
+
+    @property
+    def are_known(self) -> bool:
+        """Whether all ends are known."""
+        return bool(np.isfinite(self.begin).all() and np.isfinite(self.end).all())
+
     def known(self) -> Segments:
         """Return those whose two ends are known."""
+        if self.are_known:
+            return self
         return self[np.isfinite(self.begin).all(axis=1) & np.isfinite(self.end).all(axis=1)]
 
     def known_in(self, axes: tuple[int, ...]) -> Segments:
         """Return those known in `axes`; other axes that are unknown at both ends count as 0."""
+        if self.are_known:
+            return self
         begin, end = self.begin.copy(), self.end.copy()
         for other in {0, 1, 2}.difference(axes):
             nowhere = np.isnan(begin[:, other]) & np.isnan(end[:, other])
@@ -104,6 +121,8 @@ def segments(toolpath: Toolpath, tolerance_mm: float, whole: np.ndarray | None =
 def _chords(
     table: Chunk, begin: np.ndarray, end: np.ndarray, tolerance_mm: float, whole: np.ndarray | None = None
 ) -> Segments:
+    if not (table.kind >= ARC_CW).any():
+        return Segments(begin, end, np.arange(len(table)))
     centre = table.centre + (end - table.end[:, :3])
     counts = np.ones(len(table), np.int64)
     shapes = arcs_of(table, begin, end, centre)
@@ -127,6 +146,8 @@ def _chords(
 def clipped_below(pieces: Segments, level_mm: float) -> Segments:
     """Return the parts of the segments whose height is at most `level_mm`."""
     pieces = pieces[pieces.low_mm <= level_mm]
+    if (np.maximum(pieces.begin[:, 2], pieces.end[:, 2]) <= level_mm).all():
+        return pieces
     begin, end = pieces.begin.copy(), pieces.end.copy()
     for here, there in ((begin, pieces.end), (end, pieces.begin)):
         above = here[:, 2] > level_mm

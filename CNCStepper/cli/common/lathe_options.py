@@ -15,12 +15,11 @@ from CNCStepper.cli.common.options import MOST, Named, NumberType
 from CNCStepper.cli.common.program_options import ProgramOptions
 from CNCStepper.cli.job_file import is_turning_file
 from CNCStepper.machine.profile import Machine
-from CNCStepper.machine.tools.turning_tool import TurningTool
-from CNCStepper.machine.tools.turning_tool_text import turning_tool_from_text
 
 if TYPE_CHECKING:
     from CNCStepper.job.prove import Proof
     from CNCStepper.job.turning.report import TurnedVerdict
+    from CNCStepper.machine.tools.turning_tool import TurningTool
     from CNCStepper.state import Start
 
 HEAD_CHARACTERS = 65_536  # of a program, in which G7 is looked for
@@ -46,6 +45,12 @@ class _Bar(click.ParamType):
         if len(sizes) not in (2, 3) or not all(0 < size < MOST for size in sizes) or sizes[2:] >= sizes[:1]:
             self.fail(f"'{value}' is no bar: write its diameter and length in mm, such as 55x170", param, ctx)
         return sizes
+
+
+def _turning_tool(text: str) -> TurningTool:
+    from CNCStepper.machine.tools.turning_tool_text import turning_tool_from_text
+
+    return turning_tool_from_text(text)
 
 
 @dataclass(frozen=True)
@@ -91,7 +96,7 @@ def lathe_options(function: Callable[..., Any]) -> Callable[..., Any]:
         "--turning-tool",
         "turning_tools",
         multiple=True,
-        type=Named("[N=]TOOL", turning_tool_from_text),
+        type=Named("[N=]TOOL", _turning_tool),
         help="A lathe's tool: CNMG120408, boring:CCMT060204, parting:3, drill:10; 2=drill:10 is tool 2.",
     )
     @wraps(function)

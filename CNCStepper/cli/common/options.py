@@ -183,9 +183,11 @@ def stock_options(required: bool) -> Any:
 
 def stock_of(size_mm: tuple[float, float, float] | None, origin: str) -> Stock | None:
     """Return the stock that the options name, or None."""
-    from CNCStepper.simulation.stock import Stock
+    if not size_mm:
+        return None
+    from CNCStepper.simulation.stock import Stock  # it loads shapely
 
-    return Stock(size_mm, origin) if size_mm else None
+    return Stock(size_mm, origin)
 
 
 def dialect_name(dialect: str | None, machine: Machine | None) -> str:

@@ -128,8 +128,7 @@ def _fastest_mm_min(subject: CheckContext) -> np.ndarray:
     for chords in segments_of_chunks(subject.toolpath, DIRECTION_TOLERANCE_MM):
         path = chords.level_where_unknown()
         path = path[subject.is_feed[path.row]]
-        delta = np.abs(path.end - path.begin)
-        length = np.linalg.norm(delta, axis=1)
+        delta, length = np.abs(path.end - path.begin), path.length_mm
         share = delta / np.where(length > 0, length, 1.0)[:, None]
         np.maximum.at(fastest, path.row, share * subject.table.feed[path.row][:, None])
     return fastest

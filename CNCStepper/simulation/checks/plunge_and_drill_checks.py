@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -25,9 +25,7 @@ def plunges(checks: StockChecks) -> Iterator[Finding]:
 
     Stock that earlier moves have taken from under the core (a pre-drilled hole) may be entered straight.
     """
-    for row, tool in _low_feeds(checks, downwards=True):
-        if tool.core_diameter_mm <= 0:
-            continue
+    for row, tool in _low_feeds(checks, lambda tool: tool.core_diameter_mm > 0, downwards=True):
         move = checks.pieces(row)
         angle_deg = _fall_deg(move)
         steep = move[angle_deg > tool.ramp_max_deg * STEEPER]
@@ -52,9 +50,7 @@ def plunges(checks: StockChecks) -> Iterator[Finding]:
 
 def sideways(checks: StockChecks) -> Iterator[Finding]:
     """Yield each move on which a drill goes sideways through stock: it cuts with its point only."""
-    for row, tool in _low_feeds(checks, downwards=False):
-        if tool.shape != "drill":
-            continue
+    for row, _ in _low_feeds(checks, lambda tool: tool.shape == "drill", downwards=False):
         move = checks.pieces(row)
         aside = np.hypot(*(move.end - move.begin)[:, :2].T)
         cutter = checks.cutter(row)
@@ -64,14 +60,16 @@ def sideways(checks: StockChecks) -> Iterator[Finding]:
             yield checks.subject.finding(row, "error", "drill-sideways", text, advice=advice, place_mm=point)
 
 
-def _low_feeds(checks: StockChecks, downwards: bool) -> list[tuple[int, Tool]]:
-    """Return the cutting rows that go below the stock's top, with their tools."""
-    subject = checks.subject
-    low = subject.is_feed & (subject.low_mm < checks.stock.top_mm - RUB_MM)
+def _low_feeds(checks: StockChecks, of: Callable[[Tool], bool], downwards: bool) -> list[tuple[int, Tool]]:
+    """Return the cutting rows of the tools asked for that go below the stock's top, with these tools."""
+    subject, tools = checks.subject, {number: tool for number, tool in checks.tools.items() if tool and of(tool)}
+    if not tools:
+        return []
+    low = np.isin(checks.numbers, list(tools))
+    low &= subject.is_feed & (subject.low_mm < checks.stock.top_mm - RUB_MM)
     if downwards:
         low &= subject.low_mm < subject.begin[:, 2]
-    tools = [(row, checks.tool(row)) for row in np.flatnonzero(low).tolist()]
-    return [(row, tool) for row, tool in tools if tool is not None]
+    return [(row, tools[int(checks.numbers[row])]) for row in np.flatnonzero(low).tolist()]
 
 
 def _fall_deg(move: Segments) -> np.ndarray:

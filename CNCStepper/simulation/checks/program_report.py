@@ -18,7 +18,7 @@ import numpy as np
 from CNCStepper.simulation.arc_chords import extremes
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.tip_segments import Segments, clipped_below, segments_of_chunks, tips_mm, tips_of_chunks
-from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Span, Toolpath
+from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID, Span, Toolpath, distinct
 
 if TYPE_CHECKING:
     from CNCStepper.simulation.cutter_solid import Tools
@@ -104,7 +104,7 @@ class Figures:
         lengths = _Lengths(toolpath, self._tools)
         self._moves += len(table)
         self._arcs += int(np.isin(table.kind, (ARC_CW, ARC_CCW)).sum())
-        self._used_tools |= {toolpath.states[k].tool for k in np.unique(table.state)}
+        self._used_tools |= {toolpath.states[k].tool for k in distinct(table.state)}
         self._lines.add(table.line)
         self._see_places(toolpath)
         inner = sorted({mark for mark in marks if first <= mark < self._moves})
@@ -198,7 +198,7 @@ class _Stretch:
         self.first, self.count, self.end_s = first, 0, 0.0
         self.plunges = 0
         self._cut_mm = self._air_mm = self._rapid_mm = 0.0
-        self._places = [np.zeros((0, 2))]  # of pierces
+        self._places: list[np.ndarray] = []  # of pierces
         self._burnt = 0  # how often a beam begins to cut
         self._begins_burning = self._ends_burning = False
 
@@ -213,7 +213,8 @@ class _Stretch:
         self._rapid_mm += whole[~feed].sum()
         self.plunges += int(lengths.plunging[rows].sum())
         piercing = lengths.plunging[rows] & (lengths.end[rows][:, 2] < 0.0) & ~lengths.is_beam[rows]
-        self._places.append(np.unique(np.round(lengths.end[rows][piercing, :2], SAME_PLACE_DECIMALS), axis=0))
+        if piercing.any():
+            self._places.append(np.unique(np.round(lengths.end[rows][piercing, :2], SAME_PLACE_DECIMALS), axis=0))
         burns = lengths.burns[rows]
         self._burnt += int(np.count_nonzero(burns & ~np.append(self._ends_burning, burns[:-1])))
         self._begins_burning |= bool(burns[0]) and not self.count
@@ -244,7 +245,8 @@ class _Stretch:
 
         A beam pierces each time it begins to cut.
         """
-        return len(np.unique(np.vstack(self._places), axis=0)) + self._burnt
+        places = len(np.unique(np.vstack(self._places), axis=0)) if self._places else 0
+        return places + self._burnt
 
 
 class _Lengths:
@@ -282,7 +284,7 @@ def _add(lengths: np.ndarray, path: Segments) -> None:
     """Add the lengths of segments to those of their rows."""
     if len(path):
         first = int(path.row[0])
-        length = np.bincount(path.row - first, np.linalg.norm(path.end - path.begin, axis=1))
+        length = np.bincount(path.row - first, path.length_mm)
         lengths[first : first + len(length)] += length
 
 

@@ -61,6 +61,8 @@ class Beams(PartCheck):
 
     def __call__(self, subject: CheckContext) -> Iterator[Finding]:
         is_beam, on = beam_rows(subject.toolpath, self._tools)
+        if not is_beam.any():
+            return
         over = self._over_stock(subject)
         yield from self._rapids(subject, is_beam & ~subject.is_feed, on, over)
         feeds = np.flatnonzero(is_beam & subject.is_feed & over)

@@ -142,6 +142,8 @@ def cutting_path(
 
 
 def _joined(parts: list[Segments]) -> Segments:
+    if len(parts) == 1:
+        return parts[0]
     order = np.argsort(np.concatenate([part.row for part in parts]), kind="stable")
     columns = (np.concatenate([getattr(part, name) for part in parts]) for name in ("begin", "end", "row"))
     return Segments(*(column[order] for column in columns))

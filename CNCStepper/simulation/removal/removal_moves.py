@@ -89,8 +89,9 @@ def moves_of(toolpath: Toolpath, tools: Tools, stock: Stock) -> Moves:
     arc_of_row[shape.rows[round_]] = np.arange(int(round_.sum()))
     forms, form_of_row, beam = _forms(toolpath, tools, stock)
     pieces = _through(pieces, beam[pieces.row], stock.bottom_mm)
-    used = np.isfinite(pieces.begin).all(axis=1) & np.isfinite(pieces.end).all(axis=1)
-    used &= (form_of_row[pieces.row] >= 0) & (pieces.low_mm < stock.top_mm)
+    used = (form_of_row[pieces.row] >= 0) & (pieces.low_mm < stock.top_mm)
+    if not pieces.are_known:
+        used &= np.isfinite(pieces.begin).all(axis=1) & np.isfinite(pieces.end).all(axis=1)
     row = pieces.row[used]
     return _moves(pieces[used], arc_of_row[row], _columns(shape, round_), form_of_row[row], forms, share[used])
 
@@ -142,6 +143,8 @@ def _forms(toolpath: Toolpath, tools: Tools, stock: Stock) -> tuple[list[Form], 
 
 def _through(pieces: Segments, beam: np.ndarray, bottom_mm: float) -> Segments:
     """Return the segments with those of a beam laid at the stock's bottom."""
+    if not beam.any():
+        return pieces
     begin, end = pieces.begin.copy(), pieces.end.copy()
     begin[beam, 2] = end[beam, 2] = bottom_mm
     return Segments(begin, end, pieces.row)
@@ -151,8 +154,10 @@ def _shares(row: np.ndarray) -> np.ndarray:
     """Return how much of its row is done at the end of each segment."""
     if not len(row):
         return np.ones(0)
-    counts = np.bincount(row)[row]
     first = np.r_[True, row[1:] != row[:-1]]
+    if first.all():
+        return np.ones(len(row))
+    counts = np.bincount(row)[row]
     place = np.arange(len(row)) - np.maximum.accumulate(np.where(first, np.arange(len(row)), 0))
     return (place + 1) / counts
 

@@ -18,7 +18,8 @@ try:
     main.main()
 finally:
     from CNCStepper import kernels
-    print("numba" in sys.modules, kernels.COMPILED, file=sys.stderr)
+    heavy = {"shapely", "numpy.ma", "CNCStepper.job.model", "CNCStepper.cycles.cycle"} & set(sys.modules)
+    print("numba" in sys.modules, kernels.COMPILED, *([] if "numba" in sys.modules else sorted(heavy)), file=sys.stderr)
 """
 LESS_PAYS = """
 from CNCStepper.gcode.interpreter.fast_path import policy
@@ -28,7 +29,7 @@ THREE = "G21 G90\nG1 X10 F300\nG0 X0\n"
 
 
 def said(verb: str, program: Path, variables: dict[str, str] | None = None, begin: str = "") -> tuple[str, str]:
-    """Return what a verb prints, and whether numba was loaded and is there."""
+    """Return what a verb prints, and whether numba was loaded and is there; if not, which other large modules were."""
     words = [sys.executable, "-c", begin + SCRIPT, verb, str(program), "--machine", "table-a"]
     environment = {**os.environ, **(variables or {})}
     result = subprocess.run(words, capture_output=True, text=True, env=environment)

@@ -9,13 +9,13 @@ from typing import Any
 
 import pytest
 
-from CNCStepper.job.findings import FirstLines
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import Job, load_job
 from CNCStepper.job.prove import prove_job
 from CNCStepper.job.prove_file import FileProof
 from CNCStepper.job.prove_job_file import prove_job_file
 from CNCStepper.machine.profile import Machine
+from CNCStepper.simulation.first_lines import FirstLines
 from CNCStepper.toolpath import Span
 from helpers.job.prove_runs import assert_same, pieces  # noqa: F401  a fixture
 

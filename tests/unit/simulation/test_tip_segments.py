@@ -12,6 +12,23 @@ def lengths(path):
     return np.linalg.norm(path.end - path.begin, axis=1)
 
 
+def lines(count):
+    points = np.random.default_rng(7).uniform(-30, 30, (count, 3))
+    program = begun()
+    for point in points.tolist():
+        program = program.feed(*point)
+    return program
+
+
+def test_lines_are_the_same_segments_with_an_arc_in_the_program_and_without():
+    alone = segments(lines(50).toolpath(), 0.001)
+    beside = segments(lines(50).rapid(10, 0, 0).arc(ARC_CW, (0, -10, 0), (0, 0, 0)).toolpath(), 0.001)[: len(alone)]
+    for column in ("begin", "end", "row"):
+        assert getattr(alone, column).tobytes() == getattr(beside, column).tobytes()
+    assert not alone.are_known and alone.known().are_known
+    assert alone.length_mm.tobytes() == lengths(alone).tobytes()
+
+
 @pytest.mark.parametrize(("kind", "quarter"), [(ARC_CCW, (0, 10)), (ARC_CW, (0, -10))])
 def test_an_arc_is_flattened_within_the_tolerance(kind, quarter):
     program = begun().rapid(10, 0, 0).arc(kind, (*quarter, 0), (0, 0, 0))
