@@ -409,11 +409,11 @@
         </message>
         <message>
             <source>Common Lines</source>
-            <translation type="unfinished"></translation>
+            <translation>Linhas comuns</translation>
         </message>
         <message>
             <source>Common lines</source>
-            <translation type="unfinished"></translation>
+            <translation>Linhas comuns</translation>
         </message>
         <message>
             <source>Constant Surface Speed</source>
@@ -781,7 +781,7 @@
         </message>
         <message>
             <source>Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0</source>
-            <translation type="unfinished"></translation>
+            <translation>Arestas vizinhas frente a frente são cortadas uma só vez, no meio da largura do corte; a folga deve ser 0</translation>
         </message>
         <message>
             <source>Fastest spindle</source>
@@ -4688,7 +4688,7 @@
         </message>
         <message>
             <source>Common lines</source>
-            <translation type="unfinished"></translation>
+            <translation>Linhas comuns</translation>
         </message>
         <message>
             <source>Comparing the cut with the drawing…</source>
@@ -5372,7 +5372,7 @@
         </message>
         <message>
             <source>Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0</source>
-            <translation type="unfinished"></translation>
+            <translation>Arestas vizinhas frente a frente são cortadas uma só vez, no meio da largura do corte; a folga deve ser 0</translation>
         </message>
         <message>
             <source>Failed</source>
@@ -7396,7 +7396,7 @@
         </message>
         <message>
             <source>Of its sheet, mm; 0: that of the sheets of material</source>
-            <translation type="unfinished"></translation>
+            <translation>Da sua chapa, mm; 0: a das chapas de material</translation>
         </message>
         <message>
             <source>Of its tip</source>
@@ -14979,7 +14979,7 @@
         </message>
         <message>
             <source>common lines: {blocks} blocks of parts, {length:.3f} m of cut and {pierces} pierces saved</source>
-            <translation type="unfinished"></translation>
+            <translation>linhas comuns: {blocks} blocos de peças, {length:.3f} m de corte e {pierces} perfurações poupados</translation>
         </message>
         <message>
             <source>compute it in several lines</source>
@@ -18211,7 +18211,7 @@
         </message>
         <message>
             <source>parts that share cuts have no gap between their cuts</source>
-            <translation type="unfinished"></translation>
+            <translation>peças que compartilham cortes não têm folga entre os cortes</translation>
         </message>
         <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
@@ -18867,7 +18867,7 @@
         </message>
         <message>
             <source>set gap_mm to 0, or leave common lines out</source>
-            <translation type="unfinished"></translation>
+            <translation>ponha gap_mm em 0, ou deixe as linhas comuns de fora</translation>
         </message>
         <message>
             <source>set it again, and do not start before it is right</source>
@@ -18975,7 +18975,7 @@
         </message>
         <message>
             <source>sheet {0} mm</source>
-            <translation type="unfinished"></translation>
+            <translation>chapa {0} mm</translation>
         </message>
         <message>
             <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
@@ -24471,7 +24471,7 @@
         </message>
         <message>
             <source>{left} blocks of parts are cut apart: no common line fits between them</source>
-            <translation type="unfinished"></translation>
+            <translation>{left} blocos de peças são cortados em separado: nenhuma linha comum cabe entre eles</translation>
         </message>
         <message>
             <source>{length_mm:.3f} mm to ramp on</source>
