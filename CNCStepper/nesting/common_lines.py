@@ -142,7 +142,7 @@ def _facing(parts: tuple[int, int], one: Edge, other: Edge, kerf_mm: float) -> F
     long_mm = float(np.hypot(*along))
     along = along / long_mm
     right = np.array([along[1], -along[0]])  # out of the first part
-    places = [(end - one[0]) @ along for end in other[:2]]  # the second edge runs the other way
+    places = [float((end - one[0]) @ along) for end in (other[0], other[1])]  # the second edge runs the other way
     begin_mm, end_mm = max(0.0, places[1]), min(long_mm, places[0])
     if end_mm - begin_mm < LEAST_COMMON_MM:
         return None

@@ -18978,6 +18978,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>sheet {number}: the solid is thinner there than the sheet and fills {share:.0f} % of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22191,6 +22195,10 @@
         </message>
         <message>
             <source>the virtual grbl ended at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the volume of the stack is off by {off:+.1f} %: take thinner sheets, or let thin walls stand on them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -18978,6 +18978,10 @@
             <translation>chapa {0} mm</translation>
         </message>
         <message>
+            <source>sheet {number}: the solid is thinner there than the sheet and fills {share:.0f} % of it</source>
+            <translation>chapa {number}: o sólido é ali mais fino que a chapa e preenche {share:.0f} % dela</translation>
+        </message>
+        <message>
             <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
             <translation>chapa {number}: {small} pedaços abaixo de 1 mm2 ficaram de fora</translation>
         </message>
@@ -22192,6 +22196,10 @@
         <message>
             <source>the virtual grbl ended at once</source>
             <translation>o grbl virtual terminou logo</translation>
+        </message>
+        <message>
+            <source>the volume of the stack is off by {off:+.1f} %: take thinner sheets, or let thin walls stand on them</source>
+            <translation>o volume da pilha desvia {off:+.1f} %: use chapas mais finas, ou deixe as paredes finas em pé sobre elas</translation>
         </message>
         <message>
             <source>the waits lie from {shortest_ms:g} to {longest_ms:g} ms, beyond {least_ms:g} to {most_ms:g}</source>
