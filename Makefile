@@ -6,7 +6,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 # The tests start many a Python: each would compile anew what it loads, some 10 s of `make quick`.
 unexport PYTHONDONTWRITEBYTECODE
-.PHONY: help setup demo test matrix quick soak fuzz bench bench-guard lint translations pictures installer clean
+.PHONY: help setup demo test matrix quick soak fuzz bench bench-guard lint translations pictures manual installer clean
 
 help:
 	@echo "make demo    draw, cut and check the demonstration part in headless FreeCAD and on the virtual grbl"
@@ -20,6 +20,7 @@ help:
 	@echo "make lint    style and types only"
 	@echo "make translations   collect the texts that a person sees, and compile their Portuguese"
 	@echo "make pictures   take the pictures in docs/pictures anew: of every cycle, and of the window"
+	@echo "make manual   build the manual in English and Portuguese, HTML and PDF: build/manual/en, build/manual/pt_BR"
 	@echo "make installer   build the zip of packages for 'Install packages…' on a FreeCAD without internet (PYTHONS=\"3.11 3.13\" takes others)"
 	@echo "make setup   only what the others need: system packages and .venv"
 	@echo "make clean   remove what tests, demo and benchmarks have made (.venv and the FreeCADs of make matrix, which all checkouts share, stay)"
@@ -97,6 +98,10 @@ translations:
 pictures: setup
 	@.venv/bin/python tools/cycle_pictures.py
 	@.venv/bin/python tools/pictures.py
+
+manual:
+	@tools/setup.sh manual
+	@.venv/bin/python tools/manual.py
 
 # Python 3.11 is in the FreeCADs of freecad.org; a distribution's FreeCAD has the distribution's Python.
 PYTHONS := 3.11

@@ -10,7 +10,8 @@ from typing import TypeVar
 
 import shapely
 
-from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Piece, joined_pieces
+from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Piece
+from CNCStepper.drawing.joined_pieces import joined_pieces
 from CNCStepper.drawing.repair.mend import mended
 from CNCStepper.drawing.repair.problems import RepairLimits, problems_of
 from CNCStepper.geometry.curve import straight

@@ -14,6 +14,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+from growth import draw_growth
 
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_profile import form_of
@@ -27,6 +28,7 @@ from CNCStepper.state import Start, State
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
 CELL_MM, STEP_MM, DEPTH_MM = 0.1, 0.25, 2.0
+GROWING = (1000, 10_000, 100_000, 1_000_000, 4_000_000)
 THEIRS = """
 import json, sys, time
 import FreeCAD, Part, Path, PathSimulator
@@ -148,6 +150,17 @@ def guarded() -> dict[str, float]:
     return print_both_sides(spiral(100_000, 100), flat)
 
 
+def print_growth(tool: Tool) -> None:
+    """Print and draw how processor time grows with the number of level moves and of ramps, 300 × 300 mm."""
+    series: dict[str, list[float]] = {"level": [], "every move a ramp": []}
+    for count in GROWING:
+        points = spiral(count, 300)
+        for name, ends in zip(series, (points, hilly(points)), strict=True):
+            series[name].append(ours(ends, 300, tool)[1])
+            print(f"removal: {count} moves, {tool.shape}, {name}: processor {series[name][-1]:.3f} s", flush=True)
+    draw_growth("removal", "short moves of a flat tool, 0.1 mm cells", GROWING, series)
+
+
 def main() -> None:
     """Print both sides and their ratio, the million moves, and what a slider waits."""
     tools = [
@@ -161,6 +174,7 @@ def main() -> None:
             ours(points, 40, tool)  # compiles
     if shutil.which("freecadcmd"):
         guarded()
+    print_growth(tools[0])
     level = spiral(1_000_000, 300)
     for tool in tools:
         for name, million in (("level", level), ("every move a ramp", hilly(level))):

@@ -8,6 +8,7 @@
 #                           tests in FreeCAD's window a screen that nobody sees (Xvfb), a window manager, software OpenGL
 #                           and CadQuery in an environment of its own, which all checkouts share in the user's cache folder
 #   tools/setup.sh matrix   all that, and debootstrap for the other FreeCADs
+#   tools/setup.sh manual   .venv, and Sphinx and WeasyPrint in an environment of their own, .cache/manual-env
 #
 # On Debian and its family as root, missing system packages are installed; otherwise they are named.
 # .venv uses the system's Python, which is FreeCAD's own on Linux: its compiled packages load in FreeCAD too.
@@ -42,6 +43,8 @@ missing_packages() {
     if [ -z "$(find_python)" ]; then echo python3; fi
     if ! [ -e "$stamp" ] && ! /usr/bin/python3 -c 'import ensurepip' 2>/dev/null; then echo python3-venv; fi
     if [ "$1" = translations ] && ! has lrelease && ! [ -x /usr/lib/qt5/bin/lrelease ]; then echo qttools5-dev-tools; fi
+    if [ "$1" = manual ] && ! compgen -G '/usr/lib/*/libpangoft2-1.0.so.0' >/dev/null; then echo libpangoft2-1.0-0; fi
+    if [ "$1" = manual ] && ! compgen -G '/usr/lib/*/libharfbuzz-subset.so.0' >/dev/null; then echo libharfbuzz-subset0; fi
     if [ "$1" != all ] && [ "$1" != matrix ]; then return; fi
     if ! has freecadcmd && ! has FreeCADCmd; then echo freecad; fi
     if ! has rs274; then echo linuxcnc-uspace; fi
@@ -75,6 +78,7 @@ name_missing() {
         linuxcnc-uspace) say "LinuxCNC's rs274 is missing: get it from https://linuxcnc.org/downloads/ (there is none for macOS and Windows; run the comparison with it on Linux)" ;;
         xvfb | openbox) say "$package is missing: get it from your system's packages (the tests in FreeCAD's window run under X only)" ;;
         libgl1-mesa-dri) ;; # other systems name it differently, or need none
+        libpangoft2-1.0-0 | libharfbuzz-subset0) say "Pango is missing: the manual's PDF needs it (macOS: brew install pango)" ;;
         debootstrap) say "debootstrap is missing: get it from your system's packages ('make matrix' runs on Linux only)" ;;
         locales) ;; # other systems bring pt_BR.UTF-8 with them or as glibc-locale-source
         esac
@@ -141,6 +145,18 @@ print(sys.version.split()[0], *extras["solids"], sep="\n")')
     printf '%s\n' "$wanted" >"$folder/setup-done"
 }
 
+# Sphinx for `make manual`, with the versions of docs/manual/requirements.txt: 150 MB, half a minute.
+make_manual() {
+    local folder=.cache/manual-env wanted
+    wanted="$(wanted_place "$1") $(cksum <docs/manual/requirements.txt)"
+    if [ -e "$folder/setup-done" ] && [ "$(cat "$folder/setup-done")" = "$wanted" ]; then return; fi
+    say "installing Sphinx into $folder (the first time takes half a minute)"
+    "$1" -m venv --clear "$folder"
+    PIP_DISABLE_PIP_VERSION_CHECK=1 "$folder/bin/python" -m pip install --quiet -r docs/manual/requirements.txt >&2 ||
+        fail "pip could not install Sphinx: check the network and run make again"
+    printf '%s\n' "$wanted" >"$folder/setup-done"
+}
+
 case "$(uname -s)" in
 MINGW* | MSYS* | CYGWIN*)
     fail "on Windows run: py -m venv .venv, then .venv\\Scripts\\pip install -e .[fast,dev], then .venv\\Scripts\\cncstepper --help"
@@ -151,4 +167,5 @@ system_packages "${1:-all}"
 make_venv "$(find_python)"
 case "${1:-all}" in
 all | matrix) make_cadquery "$(find_python)" ;;
+manual) make_manual "$(find_python)" ;;
 esac

@@ -3,7 +3,7 @@
 
     DXF ──┐
     SVG ──┤
-    text ─┼─► Piece: one entity ──► joined(pieces) ──► Drawing: chains · gaps · skipped entities · warnings
+    text ─┼─► Piece: one entity ──► joined_pieces ──► Drawing: chains · gaps · skipped entities · warnings
     solid ┘
 
 Y points up. Chains keep the order of the file. Texts from the file are printable (safe_text.py).
@@ -11,14 +11,12 @@ Y points up. Chains keep the order of the file. Texts from the file are printabl
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
-from CNCStepper.cancellation import checkpoint
 from CNCStepper.errors import JobError, Text
-from CNCStepper.geometry.chain_joining import NEAR_MM, Gap, numbered_chains
+from CNCStepper.geometry.chain_joining import Gap
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.tolerances import JOINED_ENDS_MM
 
 Share = Callable[[float], None]
 """Called with the share of a reading that is done, 0 to 1."""
@@ -82,7 +80,7 @@ class Drawing:
     a sound one. `warnings` describe what was read otherwise than the file says (a clip path that was not applied).
     """
 
-    chains: tuple[Chain, ...]
+    chains: Sequence[Chain]
     gaps: tuple[tuple[str, Gap], ...] = ()
     skipped: tuple[Skipped, ...] = ()
     unit_mm: float = 1.0
@@ -111,30 +109,3 @@ class Drawing:
 
     def _gaps_of(self, layer: str) -> Iterator[Gap]:
         return (gap for name, gap in self.gaps if name == layer)
-
-
-def joined_pieces(
-    pieces: Iterable[Piece],
-    same_mm: float = JOINED_ENDS_MM,
-    near_mm: float = NEAR_MM,
-    by_colour: bool = False,
-    share: Share = lambda share: None,
-) -> tuple[tuple[Chain, ...], tuple[tuple[str, Gap], ...]]:
-    """Return the chains of the pieces, in the order of their first pieces, and the gaps left, by layer.
-
-    Only pieces of one layer are joined, and with `by_colour` of one layer and colour: ends within `same_mm`. Gaps up to
-    `near_mm` are reported. `share` is called with the share that is done.
-    """
-    bundles: dict[tuple[str, str], list[tuple[int, Piece]]] = {}
-    for number, piece in enumerate(pieces):
-        colour = piece.attributes.colour if by_colour else ""
-        bundles.setdefault((piece.attributes.layer, colour), []).append((number, piece))
-    chains: dict[int, Chain] = {}
-    gaps: list[tuple[str, Gap]] = []
-    for done, ((layer, _), own) in enumerate(bundles.items(), start=1):
-        checkpoint()
-        curves, nearly = numbered_chains([piece.curve for _, piece in own], same_mm, near_mm)
-        chains |= {own[first][0]: Chain(curve, own[first][1].attributes) for first, curve in curves.items()}
-        gaps.extend((layer, gap) for gap in nearly)
-        share(done / len(bundles))
-    return tuple(chain for _, chain in sorted(chains.items(), key=lambda item: item[0])), tuple(gaps)

@@ -10,7 +10,7 @@ two that continue straightest, then the next two. A piece keeps its drawn direct
 
 from __future__ import annotations
 
-import operator
+import itertools
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -20,6 +20,7 @@ import shapely
 
 from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.geometry.curve_bundle import Bundle, bundle_of
 from CNCStepper.geometry.curve_columns import Segments, complex_of
 from CNCStepper.tolerances import COINCIDENT_MM, JOINED_ENDS_MM
 
@@ -50,45 +51,57 @@ def numbered_chains(
     pieces: Sequence[Curve], same_mm: float = JOINED_ENDS_MM, near_mm: float = NEAR_MM
 ) -> tuple[dict[int, Curve], tuple[Gap, ...]]:
     """Return the chains and gaps as `chained` does, each chain under the number of its first piece, ascending."""
-    lengths_mm, closed = _measures(pieces)
-    long = {number: pieces[number] for number in np.flatnonzero(lengths_mm > same_mm).tolist()}
-    loose = [number for number in long if not closed[number]]
-    partner = _partners([long[number] for number in loose], same_mm)
-    chains = {number: piece for number, piece in long.items() if closed[number]}
-    loose_chains = []
-    for walk in _walks(partner):
-        parts = [long[loose[end // 2]] if end % 2 == 0 else long[loose[end // 2]].reversed() for end in walk]
-        chain = chains[loose[min(walk) // 2]] = _one(parts, closed=partner[walk[0]] == walk[-1] ^ 1)
-        loose_chains += [] if chain.closed else [(loose[min(walk) // 2], chain)]
-    loose_chains.sort(key=operator.itemgetter(0))
-    return dict(sorted(chains.items())), _gaps([chain for _, chain in loose_chains], near_mm)
-
-
-def _measures(pieces: Sequence[Curve]) -> tuple[np.ndarray, np.ndarray]:
-    """Return how long each piece is and whether it is closed, of all pieces at once."""
     if not pieces:
-        return np.empty(0), np.empty(0, bool)
-    counts = np.array([len(piece.bulge) for piece in pieces])
-    last = np.cumsum(counts + 1) - 1  # the last vertex of each piece
-    vertices = complex_of(np.concatenate([piece.xy for piece in pieces]))
+        return {}, ()
+    chains, first, gaps = joined_bundle(bundle_of(pieces), same_mm, near_mm)
+    found = zip(first.tolist(), chains.curves(), strict=True)
+    return {number: pieces[number] if pieces[number].closed else chain for number, chain in found}, gaps
+
+
+def joined_bundle(
+    pieces: Bundle, same_mm: float = JOINED_ENDS_MM, near_mm: float = NEAR_MM
+) -> tuple[Bundle, np.ndarray, tuple[Gap, ...]]:
+    """Return the pieces as chains, the number of each one's first piece, int64[c] ascending, and the gaps left."""
+    lengths_mm, closed = _measures(pieces)
+    long = lengths_mm > same_mm
+    loose = np.flatnonzero(long & ~closed)
+    partner = _partners(_ends_of(pieces, loose), same_mm)
+    walks = [[2 * number] for number in np.flatnonzero(long & closed).tolist()]
+    snapped = [False] * len(walks)  # a closed piece stays as it is
+    numbers = loose.tolist()
+    for walk in _walks(partner.tolist()):
+        walks.append([2 * numbers[end // 2] + end % 2 for end in walk])
+        snapped.append(partner[walk[0]] == walk[-1] ^ 1)
+    first = np.array([min(walk) // 2 for walk in walks], np.int64)
+    order = np.argsort(first)
+    chains = _assembled(pieces, [walks[number] for number in order.tolist()], np.array(snapped, bool)[order])
+    return chains, first[order], _gaps(chains, near_mm)
+
+
+def _measures(pieces: Bundle) -> tuple[np.ndarray, np.ndarray]:
+    """Return how long each piece is and whether it is closed, of all pieces at once."""
+    last = np.cumsum(pieces.counts + 1) - 1  # the last vertex of each piece
+    vertices = complex_of(pieces.xy)
     chords_mm = np.delete(np.abs(np.diff(vertices)), last[:-1])
-    half_rad = 2.0 * np.arctan(np.abs(np.concatenate([piece.bulge for piece in pieces])))
+    half_rad = 2.0 * np.arctan(np.abs(pieces.bulge))
     lengths_mm = chords_mm / np.sinc(half_rad / np.pi)  # of an arc: chord half / sin(half)
-    first_rows = np.cumsum(counts) - counts
-    return np.add.reduceat(lengths_mm, first_rows), np.abs(vertices[last] - vertices[last - counts]) <= COINCIDENT_MM
+    apart_mm = np.abs(vertices[last] - vertices[last - pieces.counts])
+    return np.add.reduceat(lengths_mm, pieces.first), apart_mm <= COINCIDENT_MM
 
 
-def _partners(pieces: Sequence[Curve], same_mm: float) -> np.ndarray:
-    """Return the end that follows each end, int64[2 n], -1 for none; end 2 i begins piece i, 2 i + 1 ends it."""
-    partner = np.full(2 * len(pieces), -1)
-    places, outward = _ends(pieces)
-    for meeting in _groups(places, same_mm):
-        if len(meeting) == 2:
-            first, second = meeting
-            partner[first], partner[second] = second, first
-            continue
-        ends = np.array(meeting)
-        one, other = (ends[index] for index in np.triu_indices(len(ends), 1))
+def _partners(ends: tuple[np.ndarray, np.ndarray], same_mm: float) -> np.ndarray:
+    """Return the end that follows each end, int64[2 n], -1 for none; end 2 i begins piece i, 2 i + 1 ends it.
+
+    `ends` are their places and in which direction each leaves its piece.
+    """
+    places, outward = ends
+    partner = np.full(len(places), -1)
+    pairs = _close_pairs(places, same_mm)
+    alone = (np.bincount(pairs.ravel(), minlength=len(places))[pairs] == 1).all(axis=1)
+    partner[pairs[alone]] = pairs[alone, ::-1]
+    for ends_here in _groups(pairs[~alone]):
+        meeting = np.array(ends_here)
+        one, other = (meeting[index] for index in np.triu_indices(len(meeting), 1))
         turns = np.abs(np.angle(-outward[one] / outward[other]))
         order = np.lexsort((other, one, turns))  # the straightest first
         for a, b in zip(one[order].tolist(), other[order].tolist(), strict=True):
@@ -97,29 +110,29 @@ def _partners(pieces: Sequence[Curve], same_mm: float) -> np.ndarray:
     return partner
 
 
-def _ends(pieces: Sequence[Curve]) -> tuple[np.ndarray, np.ndarray]:
-    """Return where all ends lie and in which direction each leaves its piece, complex128[2 n] both."""
-    if not pieces:
-        return np.empty(0, complex), np.empty(0, complex)
-    xy = np.array([piece.xy[index] for piece in pieces for index in (0, 1, -2, -1)])
-    ends = complex_of(xy).reshape(-1, 2)  # rows: the first and the last segment of each piece in turn
-    sweep = 4.0 * np.arctan([piece.bulge[index] for piece in pieces for index in (0, -1)])
+def _ends_of(pieces: Bundle, which: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return where all ends of some pieces lie and in which direction each leaves its piece, complex128[2 n] both."""
+    first, count = pieces.first[which], pieces.counts[which]
+    begin = first + which  # the first vertex of each
+    vertices = np.column_stack([begin, begin + 1, begin + count - 1, begin + count]).reshape(-1, 2)
+    ends = complex_of(pieces.xy)[vertices]  # rows: the first and the last segment of each piece in turn
+    sweep = 4.0 * np.arctan(pieces.bulge[np.column_stack([first, first + count - 1]).ravel()])
     segments = Segments(ends[:, 0], ends[:, 1], sweep)
-    first = np.arange(len(ends)) % 2 == 0
-    places = np.where(first, segments.begin, segments.end)
-    return places, np.where(first, -segments.direction(0.0), segments.direction(1.0))
+    is_first = np.arange(len(ends)) % 2 == 0
+    places = np.where(is_first, segments.begin, segments.end)
+    return places, np.where(is_first, -segments.direction(0.0), segments.direction(1.0))
 
 
-def _groups(places: np.ndarray, same_mm: float) -> list[list[int]]:
-    """Return the places that meet at least one other within `same_mm`, by groups, all in ascending order."""
-    root = np.arange(len(places))
-    for a, b in _close_pairs(places, same_mm).tolist():
+def _groups(pairs: np.ndarray) -> list[list[int]]:
+    """Return the ends that meet by pairs as groups, all in ascending order."""
+    root: dict[int, int] = {}
+    for a, b in pairs.tolist():
         low, high = sorted((_root_of(root, a), _root_of(root, b)))
         root[high] = low
     groups = defaultdict(list)
-    for place in range(len(places)):
-        groups[_root_of(root, place)].append(place)
-    return [group for group in groups.values() if len(group) > 1]
+    for end in sorted(root):
+        groups[_root_of(root, end)].append(end)
+    return list(groups.values())
 
 
 def _close_pairs(places: np.ndarray, within_mm: float) -> np.ndarray:
@@ -149,47 +162,66 @@ def _require_apart(places: np.ndarray, within_mm: float) -> None:
         )
 
 
-def _root_of(root: np.ndarray, place: int) -> int:
-    while root[place] != place:
-        root[place] = root[root[place]]
-        place = int(root[place])
-    return place
+def _root_of(root: dict[int, int], end: int) -> int:
+    root.setdefault(end, end)
+    while root[end] != end:
+        root[end] = root[root[end]]
+        end = root[end]
+    return end
 
 
-def _walks(partner: np.ndarray) -> list[list[int]]:
+def _walks(partner: list[int]) -> list[list[int]]:
     """Return each chain as the ends at which its pieces are entered, in the sense of its first piece."""
-    done, walks = np.zeros(len(partner) // 2, bool), []
+    done, walks = bytearray(len(partner) // 2), []
     for piece in range(len(done)):
         if not done[piece]:
-            forward = _followed(partner, 2 * piece)
-            if partner[forward[-1] ^ 1] == 2 * piece:
-                walks.append(forward)  # round and back
-            else:
+            walk = _followed(partner, 2 * piece)
+            if partner[walk[-1] ^ 1] != 2 * piece:  # it does not go round and back
                 behind = _followed(partner, 2 * piece + 1)[1:]
-                walks.append([end ^ 1 for end in reversed(behind)] + forward)
-            done[np.array(walks[-1]) // 2] = True
+                walk = [end ^ 1 for end in reversed(behind)] + walk
+            walks.append(walk)
+            for end in walk:
+                done[end // 2] = True
     return walks
 
 
-def _followed(partner: np.ndarray, entered: int) -> list[int]:
+def _followed(partner: list[int], entered: int) -> list[int]:
     """Return the ends at which pieces are entered from this one on, to the chain's end or once round."""
     walk = [entered]
-    while (following := int(partner[walk[-1] ^ 1])) not in (-1, entered):
+    while (following := partner[walk[-1] ^ 1]) not in (-1, entered):
         walk.append(following)
     return walk
 
 
-def _one(parts: Sequence[Curve], closed: bool) -> Curve:
-    """Return pieces as one curve; each begins where the one before it ended, however little it was off."""
-    xy = np.vstack([parts[0].xy[:1], *(part.xy[1:] for part in parts)])
-    if closed:
-        xy[-1] = xy[0]
-    return Curve.trusted(xy, np.concatenate([part.bulge for part in parts]))
+def _assembled(pieces: Bundle, walks: Sequence[Sequence[int]], closed: np.ndarray) -> Bundle:
+    """Return a chain for each walk; each piece begins where the one before it ended, however little it was off.
+
+    The last vertex becomes the first where `closed`, bool[c].
+    """
+    entered = np.fromiter(itertools.chain.from_iterable(walks), np.int64)
+    piece, turned = entered // 2, entered % 2 == 1
+    counts = pieces.counts[piece]
+    place = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    back = np.repeat(turned, counts)
+    segment = np.repeat(pieces.first[piece], counts) + np.where(back, np.repeat(counts, counts) - 1 - place, place)
+    end = segment + np.repeat(piece, counts) + ~back  # the vertex at which each segment ends
+    heads = np.cumsum([0, *map(len, walks)])[:-1]  # the first piece of each chain
+    chain_counts = np.add.reduceat(counts, heads) if len(heads) else counts
+    begin = np.cumsum(chain_counts + 1) - chain_counts - 1  # the first vertex of each chain
+    xy = np.empty((len(end) + len(heads), 2))
+    inner = np.ones(len(xy), bool)
+    inner[begin] = False
+    xy[inner] = pieces.xy[end]
+    xy[begin] = pieces.xy[(pieces.first[piece] + piece + np.where(turned, counts, 0))[heads]]
+    xy[(begin + chain_counts)[closed]] = xy[begin[closed]]
+    return Bundle(xy, np.where(back, -pieces.bulge[segment], pieces.bulge[segment]), chain_counts)
 
 
-def _gaps(chains: Sequence[Curve], near_mm: float) -> tuple[Gap, ...]:
-    """Return the gaps between ends, each end in one gap at most."""
-    return tuple(Gap(_middle(ends), abs(ends[0] - ends[1])) for _, ends in nearly_meeting(chains, near_mm))
+def _gaps(chains: Bundle, near_mm: float) -> tuple[Gap, ...]:
+    """Return the gaps between ends of open chains, each end in one gap at most."""
+    opened = chains.where(~chains.closed)
+    found = nearly_meeting(opened.curves(), near_mm) if len(opened.counts) else []
+    return tuple(Gap(_middle(ends), abs(ends[0] - ends[1])) for _, ends in found)
 
 
 def nearly_meeting(chains: Sequence[Curve], near_mm: float) -> list[tuple[tuple[int, int], tuple[complex, complex]]]:

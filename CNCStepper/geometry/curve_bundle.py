@@ -19,6 +19,7 @@ from CNCStepper.geometry.box_tree import WIDTH, rows_of
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.curve_columns import require_lengths
 from CNCStepper.kernels import njit
+from CNCStepper.tolerances import COINCIDENT_MM
 
 
 class Bundle(NamedTuple):
@@ -27,6 +28,17 @@ class Bundle(NamedTuple):
     xy: np.ndarray
     bulge: np.ndarray
     counts: np.ndarray
+
+    @property
+    def first(self) -> np.ndarray:
+        """The first segment of each chain, int64[c]; add the chain's number for its first vertex."""
+        return np.cumsum(self.counts) - self.counts
+
+    @property
+    def closed(self) -> np.ndarray:
+        """Which chains end where they begin, bool[c]."""
+        last = np.cumsum(self.counts + 1) - 1
+        return np.hypot(*(self.xy[last] - self.xy[last - self.counts]).T) <= COINCIDENT_MM
 
     def reversed(self) -> Bundle:
         """Return the chains run backwards, the last one first."""
@@ -39,6 +51,13 @@ class Bundle(NamedTuple):
         vertices, segments = np.repeat(which, self.counts + 1), np.repeat(which, self.counts)
         return Bundle(self.xy[vertices], self.bulge[segments], self.counts[which])
 
+    def taken(self, rows: np.ndarray) -> Bundle:
+        """Return the chains of these numbers, int64[k], in their order."""
+        counts = self.counts[rows]
+        return Bundle(
+            self.xy[runs(self.first[rows] + rows, counts + 1)], self.bulge[runs(self.first[rows], counts)], counts
+        )
+
     def curves(self) -> list[Curve]:
         """Return the chains as curves; raises GeometryError where a coordinate is no length in mm."""
         require_lengths(self.xy)
@@ -48,6 +67,18 @@ class Bundle(NamedTuple):
             found.append(Curve.trusted(self.xy[begin : begin + count + 1], self.bulge[first : first + count]))
             first += count
         return found
+
+
+def runs(first: np.ndarray, counts: np.ndarray) -> np.ndarray:
+    """Return the numbers first, first + 1 ... of each run, `counts` of them, one run after the other."""
+    return np.arange(counts.sum()) + np.repeat(first - (np.cumsum(counts) - counts), counts)
+
+
+def bundles_joined(bundles: Sequence[Bundle]) -> Bundle:
+    """Return the chains of bundles as one; none of no bundles."""
+    if not bundles:
+        return Bundle(np.empty((0, 2)), np.empty(0), np.empty(0, int))
+    return bundles[0] if len(bundles) == 1 else Bundle(*map(np.concatenate, zip(*bundles, strict=True)))
 
 
 def bundle_of(curves: Sequence[Curve]) -> Bundle:

@@ -4155,6 +4155,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Alarms and errors of controllers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Alignment</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4295,6 +4299,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Arranged programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Arrangement</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4336,6 +4344,10 @@
         </message>
         <message>
             <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At work: [{0}]({1}).</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4475,6 +4487,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Bore turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Bore; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4516,6 +4532,10 @@
         </message>
         <message>
             <source>CNCStepper has a fault: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>CNCStepper help</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4588,6 +4608,10 @@
         </message>
         <message>
             <source>Checking the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Choices: {0}.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4683,6 +4707,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Command line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Commanded length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4740,6 +4768,10 @@
         </message>
         <message>
             <source>Containers of the clamps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Contents</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4920,6 +4952,10 @@
         </message>
         <message>
             <source>Cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cycles</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5171,6 +5207,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drill on the lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drilling</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5203,6 +5247,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Each entry of the list `{0}` has these values.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Each field of the dialog *Machines…* is a key of the machine's profile; [the guide]({0}) shows them at work.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Earlier</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5228,6 +5280,10 @@
         </message>
         <message>
             <source>Edit {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Editing programs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5284,6 +5340,10 @@
         </message>
         <message>
             <source>Engagement</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Engrave</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5367,6 +5427,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Facing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5388,6 +5452,10 @@
         </message>
         <message>
             <source>Faults</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Faults while sending</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5428,6 +5496,10 @@
         </message>
         <message>
             <source>Feeds times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fields of a machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5483,7 +5555,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Finish turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Finishing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Firmware of controllers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5632,6 +5712,14 @@
         </message>
         <message>
             <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FreeCAD, step by step</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Freehand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5923,6 +6011,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Guides</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Gusset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5992,6 +6084,10 @@
         </message>
         <message>
             <source>Held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Help</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6443,6 +6539,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Imported drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6532,6 +6632,10 @@
         </message>
         <message>
             <source>Installed. CNCStepper can work now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Installing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7059,6 +7163,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Meaning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7228,6 +7336,14 @@
         </message>
         <message>
             <source>Nest</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nest on sheets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nesting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7567,6 +7683,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Orders</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Other corner</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7651,11 +7771,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Panels and their fields</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parallel port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Parallelogram</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7896,6 +8024,10 @@
         </message>
         <message>
             <source>Price per sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Prices</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8243,6 +8375,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Restart after an interruption</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Restart from here…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8312,6 +8448,10 @@
         </message>
         <message>
             <source>Rotation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rough turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8403,6 +8543,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Search in this page</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Search time</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8475,6 +8619,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Send a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Send anyway</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8488,6 +8636,10 @@
         </message>
         <message>
             <source>Send time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sending</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8512,6 +8664,10 @@
         </message>
         <message>
             <source>Shape</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Shape of the library</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8632,6 +8788,10 @@
         </message>
         <message>
             <source>Slices</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Slices of a solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9279,6 +9439,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9328,6 +9492,10 @@
         </message>
         <message>
             <source>The limit of the surface speed; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The link to the controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9404,6 +9572,10 @@
         </message>
         <message>
             <source>The middle of the circle, from the work zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The mini lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9807,6 +9979,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thread turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Threads on a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Three quarters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9995,11 +10175,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turn face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turn the chosen part to its next rotation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10087,6 +10275,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Virtual machines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Waiting for the controller to answer.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10112,6 +10304,10 @@
         </message>
         <message>
             <source>Water jet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What a number of a controller means, and what to do. F1 works in every panel: it opens its page.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10156,6 +10352,10 @@
         </message>
         <message>
             <source>What the tool is for</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What to do</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10495,6 +10695,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>[The whole manual]({0}) opens in the browser.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a comment</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10799,6 +11003,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>code of this language: en</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>constant acceleration</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10824,6 +11032,10 @@
         </message>
         <message>
             <source>count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>counts where {0} is {1}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10876,6 +11088,10 @@
         </message>
         <message>
             <source>dwell for P</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>empty</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11055,6 +11271,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11172,6 +11392,10 @@
         </message>
         <message>
             <source>must be below {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be given</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11463,6 +11687,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>result: shown, not typed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>returns from a subprogram</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11695,6 +11923,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>usual</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11703,7 +11935,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>usual value: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>usual: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>value in a new object</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11932,6 +12172,14 @@
         </message>
         <message>
             <source>{0}: X {1}, Y {2}, {3}°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: alarms</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: errors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25249,6 +25497,17 @@
         </message>
         <message>
             <source>Freehand</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Help</name>
+        <message>
+            <source>Help</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The guides and all fields, of the selected object first; F1 in a panel opens its page</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -4155,6 +4155,10 @@
             <translation>Alarme</translation>
         </message>
         <message>
+            <source>Alarms and errors of controllers</source>
+            <translation>Alarmes e erros dos controladores</translation>
+        </message>
+        <message>
             <source>Alignment</source>
             <translation>Alinhamento</translation>
         </message>
@@ -4295,6 +4299,10 @@
             <translation>Em volta das castanhas; 0: nenhuma castanha sobressai</translation>
         </message>
         <message>
+            <source>Arranged programs</source>
+            <translation>Programas dispostos</translation>
+        </message>
+        <message>
             <source>Arrangement</source>
             <translation>Disposição</translation>
         </message>
@@ -4337,6 +4345,10 @@
         <message>
             <source>At the full depth, besides the last one</source>
             <translation>Na profundidade total, além do último</translation>
+        </message>
+        <message>
+            <source>At work: [{0}]({1}).</source>
+            <translation>Em uso: [{0}]({1}).</translation>
         </message>
         <message>
             <source>Attached again to the controller at {0}.</source>
@@ -4475,6 +4487,10 @@
             <translation>Mandrilar</translation>
         </message>
         <message>
+            <source>Bore turning</source>
+            <translation>Torneamento interno</translation>
+        </message>
+        <message>
             <source>Bore; 0: none</source>
             <translation>Furo central; 0: nenhum</translation>
         </message>
@@ -4517,6 +4533,10 @@
         <message>
             <source>CNCStepper has a fault: {0}</source>
             <translation>O CNCStepper tem uma falha: {0}</translation>
+        </message>
+        <message>
+            <source>CNCStepper help</source>
+            <translation>Ajuda do CNCStepper</translation>
         </message>
         <message>
             <source>CNCStepper works with these packages, which the Python {0} of this FreeCAD lacks:</source>
@@ -4589,6 +4609,10 @@
         <message>
             <source>Checking the program</source>
             <translation>Verificando o programa</translation>
+        </message>
+        <message>
+            <source>Choices: {0}.</source>
+            <translation>Opções: {0}.</translation>
         </message>
         <message>
             <source>Choose a line, an entry of the list, or click a cut in the 3D view. Everything before it counts as cut; if unsure, choose an earlier one.</source>
@@ -4683,6 +4707,10 @@
             <translation>Vir de baixo</translation>
         </message>
         <message>
+            <source>Command line</source>
+            <translation>Linha de comando</translation>
+        </message>
+        <message>
             <source>Commanded length</source>
             <translation>Comprimento comandado</translation>
         </message>
@@ -4741,6 +4769,10 @@
         <message>
             <source>Containers of the clamps</source>
             <translation>Recipientes dos grampos</translation>
+        </message>
+        <message>
+            <source>Contents</source>
+            <translation>Conteúdo</translation>
         </message>
         <message>
             <source>Contour</source>
@@ -4921,6 +4953,10 @@
         <message>
             <source>Cycle</source>
             <translation>Ciclo</translation>
+        </message>
+        <message>
+            <source>Cycles</source>
+            <translation>Ciclos</translation>
         </message>
         <message>
             <source>D-hole</source>
@@ -5171,6 +5207,14 @@
             <translation>Desenhado duas vezes</translation>
         </message>
         <message>
+            <source>Drill</source>
+            <translation>Furar</translation>
+        </message>
+        <message>
+            <source>Drill on the lathe</source>
+            <translation>Furar no torno</translation>
+        </message>
+        <message>
             <source>Drilling</source>
             <translation>Furação</translation>
         </message>
@@ -5203,6 +5247,14 @@
             <translation>isopor (EPS)</translation>
         </message>
         <message>
+            <source>Each entry of the list `{0}` has these values.</source>
+            <translation>Cada item da lista `{0}` tem estes valores.</translation>
+        </message>
+        <message>
+            <source>Each field of the dialog *Machines…* is a key of the machine's profile; [the guide]({0}) shows them at work.</source>
+            <translation>Cada campo da janela *Máquinas…* é uma chave do perfil da máquina; [o guia]({0}) as mostra em uso.</translation>
+        </message>
+        <message>
             <source>Earlier</source>
             <translation>Antes</translation>
         </message>
@@ -5229,6 +5281,10 @@
         <message>
             <source>Edit {0}</source>
             <translation>Editar {0}</translation>
+        </message>
+        <message>
+            <source>Editing programs</source>
+            <translation>Editar programas</translation>
         </message>
         <message>
             <source>Efficiency</source>
@@ -5285,6 +5341,10 @@
         <message>
             <source>Engagement</source>
             <translation>Engajamento</translation>
+        </message>
+        <message>
+            <source>Engrave</source>
+            <translation>Gravar</translation>
         </message>
         <message>
             <source>Engraving</source>
@@ -5367,6 +5427,10 @@
             <translation>FR4 (fibra de vidro)</translation>
         </message>
         <message>
+            <source>Face</source>
+            <translation>Facear</translation>
+        </message>
+        <message>
             <source>Facing</source>
             <translation>Faceamento</translation>
         </message>
@@ -5389,6 +5453,10 @@
         <message>
             <source>Faults</source>
             <translation>Falhas</translation>
+        </message>
+        <message>
+            <source>Faults while sending</source>
+            <translation>Falhas durante o envio</translation>
         </message>
         <message>
             <source>Feed</source>
@@ -5429,6 +5497,10 @@
         <message>
             <source>Feeds times</source>
             <translation>Avanços vezes</translation>
+        </message>
+        <message>
+            <source>Fields of a machine</source>
+            <translation>Campos de uma máquina</translation>
         </message>
         <message>
             <source>Figures</source>
@@ -5483,8 +5555,16 @@
             <translation>Acabamento</translation>
         </message>
         <message>
+            <source>Finish turning</source>
+            <translation>Torneamento de acabamento</translation>
+        </message>
+        <message>
             <source>Finishing</source>
             <translation>Terminando</translation>
+        </message>
+        <message>
+            <source>Firmware of controllers</source>
+            <translation>Firmware dos controladores</translation>
         </message>
         <message>
             <source>First</source>
@@ -5633,6 +5713,14 @@
         <message>
             <source>FreeCAD's Python lacks {0}. Some files cannot be read without.</source>
             <translation>Falta {0} ao Python do FreeCAD. Sem isso alguns arquivos não podem ser lidos.</translation>
+        </message>
+        <message>
+            <source>FreeCAD, step by step</source>
+            <translation>FreeCAD, passo a passo</translation>
+        </message>
+        <message>
+            <source>Freehand</source>
+            <translation>À mão livre</translation>
         </message>
         <message>
             <source>From</source>
@@ -5923,6 +6011,10 @@
             <translation>Grupo</translation>
         </message>
         <message>
+            <source>Guides</source>
+            <translation>Guias</translation>
+        </message>
+        <message>
             <source>Gusset</source>
             <translation>Esquadro de reforço</translation>
         </message>
@@ -5993,6 +6085,10 @@
         <message>
             <source>Held</source>
             <translation>Em pausa</translation>
+        </message>
+        <message>
+            <source>Help</source>
+            <translation>Ajuda</translation>
         </message>
         <message>
             <source>Highest feed</source>
@@ -6443,6 +6539,10 @@
             <translation>Importar ferramentas</translation>
         </message>
         <message>
+            <source>Imported drawing</source>
+            <translation>Desenho importado</translation>
+        </message>
+        <message>
             <source>Import…</source>
             <translation>Importar…</translation>
         </message>
@@ -6533,6 +6633,10 @@
         <message>
             <source>Installed. CNCStepper can work now.</source>
             <translation>Instalado. O CNCStepper já pode trabalhar.</translation>
+        </message>
+        <message>
+            <source>Installing</source>
+            <translation>Instalação</translation>
         </message>
         <message>
             <source>Interpolation</source>
@@ -7059,6 +7163,10 @@
             <translation>Material que fica entre dois cortes</translation>
         </message>
         <message>
+            <source>Meaning</source>
+            <translation>Significado</translation>
+        </message>
+        <message>
             <source>Measured</source>
             <translation>Medido</translation>
         </message>
@@ -7229,6 +7337,14 @@
         <message>
             <source>Nest</source>
             <translation>Aninhar</translation>
+        </message>
+        <message>
+            <source>Nest on sheets</source>
+            <translation>Aninhar em chapas</translation>
+        </message>
+        <message>
+            <source>Nesting</source>
+            <translation>Aninhamento</translation>
         </message>
         <message>
             <source>Nesting the pieces: {0} %</source>
@@ -7567,6 +7683,10 @@
             <translation>Ordem</translation>
         </message>
         <message>
+            <source>Orders</source>
+            <translation>Pedidos</translation>
+        </message>
+        <message>
             <source>Other corner</source>
             <translation>Outro canto</translation>
         </message>
@@ -7651,12 +7771,20 @@
             <translation>Pares de letras ficam tão próximos quanto a fonte diz</translation>
         </message>
         <message>
+            <source>Panels and their fields</source>
+            <translation>Painéis e seus campos</translation>
+        </message>
+        <message>
             <source>Parallel port</source>
             <translation>Porta paralela</translation>
         </message>
         <message>
             <source>Parallelogram</source>
             <translation>Paralelogramo</translation>
+        </message>
+        <message>
+            <source>Part off</source>
+            <translation>Sangrar</translation>
         </message>
         <message>
             <source>Parting off</source>
@@ -7897,6 +8025,10 @@
         <message>
             <source>Price per sheet</source>
             <translation>Preço por chapa</translation>
+        </message>
+        <message>
+            <source>Prices</source>
+            <translation>Preços</translation>
         </message>
         <message>
             <source>Problem</source>
@@ -8243,6 +8375,10 @@
             <translation>Reinício</translation>
         </message>
         <message>
+            <source>Restart after an interruption</source>
+            <translation>Recomeço após uma interrupção</translation>
+        </message>
+        <message>
             <source>Restart from here…</source>
             <translation>Reiniciar daqui…</translation>
         </message>
@@ -8313,6 +8449,10 @@
         <message>
             <source>Rotation</source>
             <translation>Rotação</translation>
+        </message>
+        <message>
+            <source>Rough turning</source>
+            <translation>Torneamento de desbaste</translation>
         </message>
         <message>
             <source>Roughing</source>
@@ -8403,6 +8543,10 @@
             <translation>Riscador</translation>
         </message>
         <message>
+            <source>Search in this page</source>
+            <translation>Procurar nesta página</translation>
+        </message>
+        <message>
             <source>Search time</source>
             <translation>Tempo de busca</translation>
         </message>
@@ -8475,6 +8619,10 @@
             <translation>Enviar um arquivo de G-code…</translation>
         </message>
         <message>
+            <source>Send a file</source>
+            <translation>Enviar um arquivo</translation>
+        </message>
+        <message>
             <source>Send anyway</source>
             <translation>Enviar assim mesmo</translation>
         </message>
@@ -8489,6 +8637,10 @@
         <message>
             <source>Send time</source>
             <translation>Tempo de envio</translation>
+        </message>
+        <message>
+            <source>Sending</source>
+            <translation>Envio</translation>
         </message>
         <message>
             <source>Sent ahead at most</source>
@@ -8513,6 +8665,10 @@
         <message>
             <source>Shape</source>
             <translation>Forma</translation>
+        </message>
+        <message>
+            <source>Shape of the library</source>
+            <translation>Forma da biblioteca</translation>
         </message>
         <message>
             <source>Shape of the raw material</source>
@@ -8633,6 +8789,10 @@
         <message>
             <source>Slices</source>
             <translation>Fatias</translation>
+        </message>
+        <message>
+            <source>Slices of a solid</source>
+            <translation>Fatias de um sólido</translation>
         </message>
         <message>
             <source>Slicing…</source>
@@ -9279,6 +9439,10 @@
             <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
         </message>
         <message>
+            <source>The journal</source>
+            <translation>O diário</translation>
+        </message>
+        <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation>O último trabalho desta máquina, {0}, não foi cortado até o fim. Trabalho inacabado… diz até onde ele chegou.</translation>
         </message>
@@ -9329,6 +9493,10 @@
         <message>
             <source>The limit of the surface speed; 0: none</source>
             <translation>O limite da velocidade de corte; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>The link to the controller</source>
+            <translation>A ligação com o controlador</translation>
         </message>
         <message>
             <source>The link to the controller is being started.</source>
@@ -9405,6 +9573,10 @@
         <message>
             <source>The middle of the circle, from the work zero</source>
             <translation>O meio do círculo, a partir do zero da peça</translation>
+        </message>
+        <message>
+            <source>The mini lathe</source>
+            <translation>O minitorno</translation>
         </message>
         <message>
             <source>The mini-lathe's link</source>
@@ -9807,6 +9979,14 @@
             <translation>Comprimento da rosca</translation>
         </message>
         <message>
+            <source>Thread turning</source>
+            <translation>Torneamento de rosca</translation>
+        </message>
+        <message>
+            <source>Threads on a lathe</source>
+            <translation>Roscas no torno</translation>
+        </message>
+        <message>
             <source>Three quarters</source>
             <translation>Três quartos</translation>
         </message>
@@ -9995,12 +10175,20 @@
             <translation>Girar</translation>
         </message>
         <message>
+            <source>Turn face</source>
+            <translation>Facear no torno</translation>
+        </message>
+        <message>
             <source>Turn the chosen part to its next rotation</source>
             <translation>Girar a peça escolhida para a próxima rotação</translation>
         </message>
         <message>
             <source>Turning</source>
             <translation>Torneamento</translation>
+        </message>
+        <message>
+            <source>Turning tool</source>
+            <translation>Ferramenta de tornear</translation>
         </message>
         <message>
             <source>Turns</source>
@@ -10087,6 +10275,10 @@
             <translation>grbl virtual (sem máquina)</translation>
         </message>
         <message>
+            <source>Virtual machines</source>
+            <translation>Máquinas virtuais</translation>
+        </message>
+        <message>
             <source>Waiting for the controller to answer.</source>
             <translation>Esperando a resposta do controlador.</translation>
         </message>
@@ -10113,6 +10305,10 @@
         <message>
             <source>Water jet</source>
             <translation>Jato de água</translation>
+        </message>
+        <message>
+            <source>What a number of a controller means, and what to do. F1 works in every panel: it opens its page.</source>
+            <translation>O que significa um número do controlador, e o que fazer. F1 funciona em todo painel: abre a página dele.</translation>
         </message>
         <message>
             <source>What becomes of the contours</source>
@@ -10157,6 +10353,10 @@
         <message>
             <source>What the tool is for</source>
             <translation>Para que serve a ferramenta</translation>
+        </message>
+        <message>
+            <source>What to do</source>
+            <translation>O que fazer</translation>
         </message>
         <message>
             <source>What was found in it</source>
@@ -10495,6 +10695,10 @@
             <translation>Zip com pacotes ({0})</translation>
         </message>
         <message>
+            <source>[The whole manual]({0}) opens in the browser.</source>
+            <translation>[O manual completo]({0}) abre no navegador.</translation>
+        </message>
+        <message>
             <source>a comment</source>
             <translation>um comentário</translation>
         </message>
@@ -10799,6 +11003,10 @@
             <translation>concordante</translation>
         </message>
         <message>
+            <source>code of this language: en</source>
+            <translation>código deste idioma: pt_BR</translation>
+        </message>
+        <message>
             <source>constant acceleration</source>
             <translation>aceleração constante</translation>
         </message>
@@ -10825,6 +11033,10 @@
         <message>
             <source>count</source>
             <translation>quantidade</translation>
+        </message>
+        <message>
+            <source>counts where {0} is {1}</source>
+            <translation>vale quando {0} é {1}</translation>
         </message>
         <message>
             <source>cubic spline</source>
@@ -10877,6 +11089,10 @@
         <message>
             <source>dwell for P</source>
             <translation>pausa de P</translation>
+        </message>
+        <message>
+            <source>empty</source>
+            <translation>vazio</translation>
         </message>
         <message>
             <source>end of the program</source>
@@ -11055,6 +11271,10 @@
             <translation>jato (água, plasma, laser)</translation>
         </message>
         <message>
+            <source>key</source>
+            <translation>chave</translation>
+        </message>
+        <message>
             <source>layer '{0}' {1}: {2} closed, {3} open, {4} mm</source>
             <translation>camada '{0}' {1}: {2} fechados, {3} abertos, {4} mm</translation>
         </message>
@@ -11173,6 +11393,10 @@
         <message>
             <source>must be below {0}</source>
             <translation>deve ser menor que {0}</translation>
+        </message>
+        <message>
+            <source>must be given</source>
+            <translation>obrigatório</translation>
         </message>
         <message>
             <source>names the present place</source>
@@ -11463,6 +11687,10 @@
             <translation>fundo</translation>
         </message>
         <message>
+            <source>result: shown, not typed</source>
+            <translation>resultado: mostrado, não digitado</translation>
+        </message>
+        <message>
             <source>returns from a subprogram</source>
             <translation>retorna de um subprograma</translation>
         </message>
@@ -11695,6 +11923,10 @@
             <translation>tornear por fora</translation>
         </message>
         <message>
+            <source>unit</source>
+            <translation>unidade</translation>
+        </message>
+        <message>
             <source>usual</source>
             <translation>usual</translation>
         </message>
@@ -11703,8 +11935,16 @@
             <translation>usuais do processo</translation>
         </message>
         <message>
+            <source>usual value: {0}</source>
+            <translation>valor usual: {0}</translation>
+        </message>
+        <message>
             <source>usual: {0}</source>
             <translation>usual: {0}</translation>
+        </message>
+        <message>
+            <source>value in a new object</source>
+            <translation>valor em um objeto novo</translation>
         </message>
         <message>
             <source>value {0}</source>
@@ -11933,6 +12173,14 @@
         <message>
             <source>{0}: X {1}, Y {2}, {3}°</source>
             <translation>{0}: X {1}, Y {2}, {3}°</translation>
+        </message>
+        <message>
+            <source>{0}: alarms</source>
+            <translation>{0}: alarmes</translation>
+        </message>
+        <message>
+            <source>{0}: errors</source>
+            <translation>{0}: erros</translation>
         </message>
         <message>
             <source>{0}: its file has changed; Reload in the tree takes it anew</source>
@@ -25250,6 +25498,17 @@
         <message>
             <source>Freehand</source>
             <translation>À mão livre</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Help</name>
+        <message>
+            <source>Help</source>
+            <translation>Ajuda</translation>
+        </message>
+        <message>
+            <source>The guides and all fields, of the selected object first; F1 in a panel opens its page</source>
+            <translation>Os guias e todos os campos, do objeto selecionado primeiro; F1 em um painel abre a página dele</translation>
         </message>
     </context>
     <context>

@@ -11,23 +11,25 @@ same drawing. An ordinary entity has its number in the file by its place, anothe
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple, overload
 
 import numpy as np
 
+from CNCStepper.drawing.dxf.group_text import CODES, GroupText, NotSplit
 from CNCStepper.geometry.curve import LIMIT_MM, Curve
+from CNCStepper.geometry.curve_bundle import Bundle, bundles_joined, runs
 from CNCStepper.geometry.curve_columns import STRAIGHT_MM
 from CNCStepper.tolerances import COINCIDENT_MM
 
 LARGEST = 1e9  # units: beyond it nothing of a drawing can be told apart
 FLAT = 1e-6  # units: heights that differ by less are one
-CODES = 1100  # group codes are below it
 OTHER, LINE, ARC, CIRCLE, POLYLINE = range(5)
 KINDS = {b"LINE": LINE, b"ARC": ARC, b"CIRCLE": CIRCLE, b"LWPOLYLINE": POLYLINE}
 ALWAYS = (0, 5, 6, 8, 39, 48, 62, 100, 210, 220, 230, 330, 347, 370, 390, 420)
+NAMES = {kind: word.decode("ascii") for word, kind in KINDS.items()}
 MEANT = {  # group codes beside ALWAYS
     LINE: (10, 20, 30, 11, 21, 31),
     ARC: (10, 20, 30, 40, 50, 51),
@@ -55,17 +57,58 @@ class PlainEntity:
     true_colour: int | None
 
 
+class PlainEntities(Sequence[PlainEntity]):
+    """Ordinary entities in columns; each is made when it is asked for."""
+
+    def __init__(self, numbers: np.ndarray, curves: Bundle, texts: _Texts):
+        self._numbers, self._curves, self._texts = numbers, curves, texts
+        self._first = curves.first
+
+    def __len__(self) -> int:
+        return len(self._numbers)
+
+    @overload
+    def __getitem__(self, index: int) -> PlainEntity: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> tuple[PlainEntity, ...]: ...
+
+    def __getitem__(self, index: int | slice) -> PlainEntity | tuple[PlainEntity, ...]:
+        rows = range(len(self))[index]
+        return tuple(map(self._made, rows)) if isinstance(rows, range) else self._made(rows)
+
+    def _made(self, row: int) -> PlainEntity:
+        number, begin, count = int(self._numbers[row]), int(self._first[row]), int(self._curves.counts[row])
+        xy, bulge, texts = self._curves.xy, self._curves.bulge, self._texts
+        true_colour = int(texts.true_colour[number])
+        return PlainEntity(
+            number,
+            Curve.trusted(xy[begin + row : begin + row + count + 1], bulge[begin : begin + count]),
+            NAMES[texts.kinds[number]],
+            texts.layers[number],
+            texts.handles.get(number, b"").decode("ascii", "replace"),
+            int(texts.colour_index[number]),
+            true_colour if true_colour >= 0 else None,
+        )
+
+
+class _Texts(NamedTuple):
+    """What entities have beside their curves, by their numbers."""
+
+    kinds: np.ndarray
+    layers: dict[int, bytes]
+    handles: dict[int, bytes]
+    colour_index: np.ndarray
+    true_colour: np.ndarray
+
+
 @dataclass(frozen=True)
 class SplitText:
     """The ordinary entities of a file, the text of all else, and the number of each entity there by its handle."""
 
-    plain: tuple[PlainEntity, ...]
+    plain: Sequence[PlainEntity]
     rest: bytes
     numbers: dict[str, int]
-
-
-class NotSplit(Exception):
-    """A text that ezdxf has to read whole."""
 
 
 def split_text(content: bytes) -> SplitText:
@@ -74,56 +117,43 @@ def split_text(content: bytes) -> SplitText:
     Raises NotSplit for a binary or damaged file, for one without ordinary entities, and for one whose other entities
     have no handles.
     """
-    lines = content.split(b"\n")
-    codes = _group_codes(lines)
-    first, last = _section(codes, lines)
-    return _Entities(codes[first:last], lines[2 * first + 1 : 2 * last : 2]).split(lines, first)
+    text = GroupText(content)
+    codes = text.codes()
+    first, last = _section(codes, text)
+    return _Entities(codes[first:last], text, first).split(len(codes))
 
 
-def _group_codes(lines: Sequence[bytes]) -> np.ndarray:
-    """Return the code of each group, int64[n]; every other line of a DXF text is one."""
-    try:
-        codes = list(map(int, lines[0 : len(lines) - 1 : 2]))
-    except ValueError as error:
-        raise NotSplit from error  # a group code is no number
-    if not codes or min(codes) < 0 or max(codes) >= CODES:
-        raise NotSplit  # there is no such group code
-    return np.array(codes)
-
-
-def _section(codes: np.ndarray, lines: Sequence[bytes]) -> tuple[int, int]:
+def _section(codes: np.ndarray, text: GroupText) -> tuple[int, int]:
     """Return the first group of the entities and the group that ends them."""
     first = None
     for group in np.flatnonzero(codes == 0).tolist():
-        word = lines[2 * group + 1].strip()
+        word = text.value(group).strip()
         if first is not None and word in (b"ENDSEC", b"SECTION", b"EOF"):
             if word != b"ENDSEC" or group == first:
                 break
             return first, group
         if word == b"SECTION" and group + 2 < len(codes) and codes[group + 1] == 2:
-            first = group + 2 if lines[2 * group + 3].strip() == b"ENTITIES" else first
+            first = group + 2 if text.value(group + 1).strip() == b"ENTITIES" else first
     raise NotSplit  # there is no whole section of entities
 
 
 class _Entities:
     """The groups of the entities as columns: code, value, and the number of the entity that each belongs to."""
 
-    def __init__(self, codes: np.ndarray, values: Sequence[bytes]):
-        self._codes, self._values = codes, values
-        self._owner = np.cumsum(codes == 0) - 1
-        self._starts = np.flatnonzero(codes == 0)
-        words = [values[start].strip() for start in self._starts.tolist()]
-        self._words = words
-        self._kinds = np.array([KINDS.get(word, OTHER) for word in words], int)
-        self._count = len(words)
+    def __init__(self, codes: np.ndarray, text: GroupText, first: int):
+        self._codes, self._text, self._first = codes, text, first
+        self._owner = np.cumsum(codes == 0, dtype=np.int32) - 1
+        known: dict[bytes, bytes] = {}
+        self._words = [known.setdefault(word, word) for word in map(bytes.strip, self._values(self._at(0)))]
+        self._kinds = np.array([KINDS.get(word, OTHER) for word in self._words], int)
+        self._count = len(self._words)
         self._parsed: dict[int, tuple[np.ndarray, np.ndarray]] = {}
 
-    def split(self, lines: Sequence[bytes], first: int) -> SplitText:
-        """Return the ordinary ones and the rest of the lines, of which those of group `first` are the first here."""
+    def split(self, groups: int) -> SplitText:
+        """Return the ordinary ones and the rest of a text of so many groups."""
         if self._codes[0] != 0:
             raise NotSplit  # the entities do not begin with one
         ordinary = self._ordinary()
-        curves = self._curves(ordinary)
         handles = self._texts(5)
         numbers: dict[str, int] = {}
         for number in np.flatnonzero(~ordinary).tolist():
@@ -131,15 +161,22 @@ class _Entities:
             if self._words[number] not in (b"VERTEX", b"SEQEND", b"ATTRIB") and (not handle or handle in numbers):
                 raise NotSplit  # an entity has no handle of its own
             numbers[handle] = number
-        if not curves:
+        if not ordinary.any():
             raise NotSplit  # there are no ordinary entities
-        return SplitText(self._plain(curves, handles), self._rest(lines, first, ordinary), numbers)
+        colours = self._column(62, 256.0), self._column(420, -1.0)
+        texts = _Texts(self._kinds, self._texts(8), handles, *colours)
+        kept = np.ones(groups, bool)
+        kept[self._first : self._first + len(self._owner)] = ~ordinary[self._owner]
+        return SplitText(PlainEntities(*self._curves(ordinary), texts), self._text.some(kept), numbers)
+
+    def _values(self, at: np.ndarray) -> Iterable[bytes]:
+        return self._text.values(at + self._first)
 
     def _ordinary(self) -> np.ndarray:
         """Return which entities are ordinary, bool[n]."""
         allowed = np.zeros((len(KINDS) + 1, CODES), bool)
-        for kind, meant in MEANT.items():
-            allowed[kind, [*ALWAYS, *meant]] = True
+        for meaning, meant in MEANT.items():
+            allowed[meaning, [*ALWAYS, *meant]] = True
         kind = self._kinds[self._owner]
         odd = ~allowed[kind, self._codes]
         before = np.concatenate([[0], self._codes[:-1]])
@@ -167,9 +204,9 @@ class _Entities:
     def _numbers(self, code: int) -> tuple[np.ndarray, np.ndarray]:
         """Return the values of a code as numbers and their entities; raises NotSplit for what is no number."""
         if code not in self._parsed:
-            at, values = self._at(code), self._values
+            at = self._at(code)
             try:
-                numbers = np.array([float(values[place]) for place in at.tolist()], float)
+                numbers = np.fromiter(map(float, self._values(at)), float, len(at))
             except ValueError as error:
                 raise NotSplit from error  # a value is no number
             self._parsed[code] = numbers, self._owner[at]
@@ -183,8 +220,8 @@ class _Entities:
         return column
 
     def _texts(self, code: int) -> dict[int, bytes]:
-        at = self._at(code)
-        values = [self._values[place].rstrip(b"\r") for place in at.tolist()]
+        at, known = self._at(code), dict[bytes, bytes]()
+        values = (known.setdefault(value, value) for value in (each.rstrip(b"\r") for each in self._values(at)))
         return dict(zip(self._owner[at].tolist(), values, strict=True))
 
     def _is_level(self) -> np.ndarray:
@@ -235,9 +272,9 @@ class _Entities:
         rise = radius * (1.0 - np.cos(np.minimum(sweep, math.pi) / 2.0))
         round_ones = (self._kinds == ARC) | (self._kinds == CIRCLE)
         fine[round_ones & ~((rise > STRAIGHT_MM) & (reach + radius <= LIMIT_MM))] = False
-        numbers = np.flatnonzero((self._kinds == POLYLINE) & ordinary)
-        for number, (xy, bulge) in self._polylines(numbers).items():
-            fine[number] = len(xy) > 1 and _is_chain(xy, bulge)
+        fine[self._kinds == POLYLINE] = False
+        numbers, polylines = self._polylines(np.flatnonzero((self._kinds == POLYLINE) & ordinary))
+        fine[numbers[_are_chains(polylines)]] = True
         return fine
 
     def _sweeps(self) -> tuple[np.ndarray, np.ndarray]:
@@ -246,77 +283,60 @@ class _Entities:
         sweep = (last - first) % math.tau
         return first, np.where(sweep == 0.0, math.tau, sweep)
 
-    def _polylines(self, numbers: np.ndarray) -> dict[int, tuple[np.ndarray, np.ndarray]]:
-        """Return vertices and bulges of light polylines by number; a closed one ends with its first vertex."""
+    def _polylines(self, numbers: np.ndarray) -> tuple[np.ndarray, Bundle]:
+        """Return light polylines that have sides, and their numbers; a closed one ends with its first vertex."""
         x, owner = self._numbers(10)
         y, _ = self._numbers(20)
+        if len(x) != len(y):
+            return numbers[:0], bundles_joined([])
         bulge = np.zeros(len(x))
         values, _ = self._numbers(42)
         vertex = self._vertices_of_bulges()
         bulge[vertex[vertex >= 0]] = values[vertex >= 0]
-        xy = np.column_stack([x, y]) if len(x) == len(y) else np.empty((0, 2))
-        closed = (self._column(70).astype(int) & 1).astype(bool)
-        first, last = np.searchsorted(owner, numbers), np.searchsorted(owner, numbers, "right")
-        found = {}
-        for number, begin, end in zip(numbers.tolist(), first.tolist(), last.tolist(), strict=True):
-            if closed[number]:
-                found[number] = np.concatenate([xy[begin:end], xy[begin : begin + 1]]), bulge[begin:end]
-            else:
-                found[number] = xy[begin:end], bulge[begin : end - 1]
-        return found
+        begin, end = np.searchsorted(owner, numbers), np.searchsorted(owner, numbers, "right")
+        sides = end - begin - 1 + (self._column(70).astype(int)[numbers] & 1)
+        has_sides = (end > begin) & (sides > 0)
+        numbers, begin, end, sides = (column[has_sides] for column in (numbers, begin, end, sides))
+        vertices = np.minimum(runs(begin, sides + 1), np.repeat(end, sides + 1))
+        last = np.cumsum(sides + 1) - 1
+        vertices[last] = np.where(vertices[last] == end, begin, vertices[last])
+        return numbers, Bundle(np.column_stack([x, y])[vertices], bulge[runs(begin, sides)], sides)
 
-    def _curves(self, ordinary: np.ndarray) -> dict[int, Curve]:
-        """Return the curves of the ordinary entities by their numbers."""
+    def _curves(self, ordinary: np.ndarray) -> tuple[np.ndarray, Bundle]:
+        """Return the numbers of the ordinary entities, ascending, and their curves."""
         x, y = self._column(10), self._column(20)
         lines = np.flatnonzero(ordinary & (self._kinds == LINE))
         ends = np.stack([np.column_stack([x, y]), np.column_stack([self._column(11), self._column(21)])], axis=1)
-        straight = np.zeros(1)
-        curves = {number: Curve.trusted(ends[number], straight) for number in lines.tolist()}
+        straight = Bundle(ends[lines].reshape(-1, 2), np.zeros(len(lines)), np.ones(len(lines), int))
         numbers = np.flatnonzero(ordinary & ((self._kinds == ARC) | (self._kinds == CIRCLE)))
         first, sweep = self._sweeps()
         circle = self._kinds == CIRCLE
         first, sweep = np.where(circle, 0.0, first), np.where(circle, math.tau, sweep)
-        curves |= _arcs(numbers, np.column_stack([x, y]), np.abs(self._column(40)), first, sweep)
-        for number, pair in self._polylines(np.flatnonzero(ordinary & (self._kinds == POLYLINE))).items():
-            curves[number] = Curve.trusted(*pair)
-        return curves
-
-    def _plain(self, curves: dict[int, Curve], handles: dict[int, bytes]) -> tuple[PlainEntity, ...]:
-        layers = self._texts(8)
-        index, true_colour = self._column(62, 256.0), self._column(420, -1.0)
-        return tuple(
-            PlainEntity(
-                number,
-                curve,
-                self._words[number].decode("ascii"),
-                layers[number],
-                handles.get(number, b"").decode("ascii", "replace"),
-                int(index[number]),
-                int(true_colour[number]) if true_colour[number] >= 0 else None,
-            )
-            for number, curve in sorted(curves.items())
-        )
-
-    def _rest(self, lines: Sequence[bytes], first: int, ordinary: np.ndarray) -> bytes:
-        """Return the text without the ordinary entities."""
-        groups = np.ones((len(lines) + 1) // 2, bool)
-        groups[first : first + len(self._owner)] = ~ordinary[self._owner]
-        return b"\n".join(itertools.compress(lines, np.repeat(groups, 2).tolist()))
+        arcs = _arcs(numbers, np.column_stack([x, y]), np.abs(self._column(40)), first, sweep)
+        found = [(lines, straight), *arcs, self._polylines(np.flatnonzero(ordinary & (self._kinds == POLYLINE)))]
+        mixed = np.concatenate([own for own, _ in found])
+        order = np.argsort(mixed)
+        return mixed[order], bundles_joined([bundle for _, bundle in found]).taken(order)
 
 
-def _is_chain(xy: np.ndarray, bulge: np.ndarray) -> bool:
-    """Return whether a polyline is in bounds, has no side without a length and no arc that is nearly straight."""
-    sides = np.hypot(*np.diff(xy, axis=0).T)
-    rise = np.abs(bulge) * sides / 2.0
-    level = (bulge == 0.0) | ((rise > STRAIGHT_MM) & (rise <= LIMIT_MM))
-    return bool((np.abs(xy) <= LIMIT_MM).all() and (sides > COINCIDENT_MM).all() and level.all())
+def _are_chains(polylines: Bundle) -> np.ndarray:
+    """Return which polylines are in bounds, have no side without a length and no arc that is nearly straight."""
+    if not len(polylines.counts):
+        return np.empty(0, bool)
+    last = np.cumsum(polylines.counts + 1) - 1
+    sides = np.delete(np.hypot(*np.diff(polylines.xy, axis=0).T), last[:-1])
+    rise = np.abs(polylines.bulge) * sides / 2.0
+    level = (polylines.bulge == 0.0) | ((rise > STRAIGHT_MM) & (rise <= LIMIT_MM))
+    within = (np.abs(polylines.xy) <= LIMIT_MM).all(axis=1)
+    near = np.logical_and.reduceat(within, last - polylines.counts)
+    return near & np.logical_and.reduceat((sides > COINCIDENT_MM) & level, polylines.first)
 
 
 def _arcs(
     numbers: np.ndarray, centres: np.ndarray, radii: np.ndarray, first_rad: np.ndarray, sweep_rad: np.ndarray
-) -> dict[int, Curve]:
-    """Return arcs in parts of at most a half turn by their numbers, exactly closed where they are whole ones."""
-    curves: dict[int, Curve] = {}
+) -> list[tuple[np.ndarray, Bundle]]:
+    """Return arcs in parts of at most a half turn with their numbers, exactly closed where they are whole ones."""
+    found = []
     parts = np.where(sweep_rad > math.pi + 1e-9 * math.pi, 2, 1)
     for count in (1, 2):
         chosen = numbers[parts[numbers] == count]
@@ -325,6 +345,6 @@ def _arcs(
         xy = centres[chosen, None] + radii[chosen, None, None] * ways
         whole = np.isclose(sweep_rad[chosen], math.tau, rtol=1e-12, atol=0.0)
         xy[whole, -1] = xy[whole, 0]
-        bulges = np.repeat(np.tan(sweep_rad[chosen] / count / 4.0)[:, None], count, axis=1)
-        curves |= {number: Curve.trusted(xy[row], bulges[row]) for row, number in enumerate(chosen.tolist())}
-    return curves
+        bulges = np.repeat(np.tan(sweep_rad[chosen] / count / 4.0), count)
+        found.append((chosen, Bundle(xy.reshape(-1, 2), bulges, np.full(len(chosen), count))))
+    return found

@@ -13,13 +13,17 @@ from __future__ import annotations
 
 import itertools
 import operator
-from collections.abc import Iterator
+from array import array
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Piece, Share, Skipped, joined_pieces
+from CNCStepper.drawing.chain_columns import ChainColumns, ChainGatherer
+from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Share, Skipped
 from CNCStepper.drawing.dxf.attributes import (
     BLACK,
     Insertion,
@@ -32,12 +36,14 @@ from CNCStepper.drawing.dxf.attributes import (
 )
 from CNCStepper.drawing.dxf.entities import AREAS, BROKEN, Fits, curve_of
 from CNCStepper.drawing.dxf.ezdxf_document import collected_log, load_file, load_text, no_dxf
+from CNCStepper.drawing.dxf.group_text import NotSplit
 from CNCStepper.drawing.dxf.groups import groups_of
 from CNCStepper.drawing.dxf.hatches import hatch_curves, without_drawn
 from CNCStepper.drawing.dxf.limits import DEEPEST, MOST_BYTES, require_readable, require_small
-from CNCStepper.drawing.dxf.plain_entities import NotSplit, PlainEntity, split_text
+from CNCStepper.drawing.dxf.plain_entities import PlainEntity, split_text
 from CNCStepper.drawing.dxf.texts import KINDS as TEXTS
 from CNCStepper.drawing.dxf.texts import Texts
+from CNCStepper.drawing.joined_pieces import joined_pieces
 from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.chain_joining import NEAR_MM
@@ -91,9 +97,9 @@ def read_dxf(
         chains, gaps = joined_pieces(
             pieces, same_mm, near_mm, by_colour, lambda done: share(CURVED + (1.0 - CURVED) * done)
         )
-    kept, doubles = without_drawn([*chains, *reading.whole])
+    kept, doubles = without_drawn([*chains, *reading.whole]) if reading.whole else (chains, 0)
     warnings = [*reading.texts.warnings, *_double_warnings(doubles)]
-    return Drawing(tuple(kept), gaps, tuple(skipped), unit_mm, printable(damage, MOST_WORDS), tuple(warnings))
+    return Drawing(kept, gaps, tuple(skipped), unit_mm, printable(damage, MOST_WORDS), tuple(warnings))
 
 
 def _empty(path: Path, skipped: int) -> JobError:
@@ -127,7 +133,7 @@ class _Source:
 
     document: Any
     damage: str = ""
-    plain: tuple[PlainEntity, ...] = ()
+    plain: Sequence[PlainEntity] = ()
     numbers: dict[str, int] = field(default_factory=dict)
     encoding: str = "utf-8"
 
@@ -141,18 +147,19 @@ class _Reading:
         self._layers = Layers(source.document)
         self.whole: list[Chain] = []
         self.texts = Texts(source.document, fits.tolerance)
-        self._pieces: list[tuple[int, Piece]] = []
+        self._pieces, self._numbers = ChainGatherer(), array("q")
         self._skipped: list[tuple[int, Skipped]] = []
 
-    def all(self, count: int, share: Share) -> tuple[list[Piece], list[Skipped]]:
+    def all(self, count: int, share: Share) -> tuple[ChainColumns, list[Skipped]]:
         """Return the curve of each of `count` entities in mm, and the entities that have none."""
         for done, _ in enumerate(itertools.chain(self._read_plain(), self._read_others())):
             checkpoint()
             if done % TOLD_EVERY == 0:
                 share(PARSED + (CURVED - PARSED) * min(done / count, 1.0))
-        by_number = operator.itemgetter(0)
-        pieces = [piece for _, piece in sorted(self._pieces, key=by_number)]
-        return pieces, [skipped for _, skipped in sorted(self._skipped, key=by_number)]
+        pieces = self._pieces.columns()
+        order = np.argsort(np.array(self._numbers), kind="stable")
+        skipped = [skipped for _, skipped in sorted(self._skipped, key=operator.itemgetter(0))]
+        return pieces.where(order, pieces.bundle.taken(order)), skipped
 
     def _read_plain(self) -> Iterator[None]:
         names: dict[bytes, str] = {}
@@ -229,7 +236,8 @@ class _Reading:
         self._skipped.append((number, Skipped(kind, layer, handle, error.what)))
 
     def _add(self, number: int, curve: Curve, own: Attributes) -> None:
-        self._pieces.append((number, Piece(self._scaled(curve), own)))
+        self._pieces.add(self._scaled(curve), own)
+        self._numbers.append(number)
 
     def _scaled(self, curve: Curve) -> Curve:
         return curve if self._unit_mm == 1.0 else curve.scaled(self._unit_mm)

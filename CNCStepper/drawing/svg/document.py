@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The XML of an SVG file as elements, parsed by expat within bounds; nothing that the file names is fetched.
 
-    bytes ──► unpacked (.svgz) ──► expat: no external entities, no parameter entities ──► Element tree
+    bytes ──► unpacked (.svgz) ──► expat: no external entities, no parameter entities ──► Survey: rules, count
+                                                                                     └──► Element tree, or as a stream
 
-Entities may stand for short plain text only, as Illustrator's do for namespaces: such can neither nest nor grow.
+Where no element refers to another one, elements of groups are parsed as they are asked for, so that a drawing of any
+length takes the memory of its deepest branch.
+
+Entities may stand for short plain text only, as Illustrator's do for namespaces: they cannot nest, and what they can
+add to the file is known before it is parsed.
 """
 
 from __future__ import annotations
 
 import zlib
-from collections.abc import Iterator
+from collections import deque
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 from xml.parsers import expat
@@ -32,16 +38,22 @@ INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 ADOBE = "http://ns.adobe.com/"
 PREFIXES = {SVG: "", "": "", XLINK: "xlink:", INKSCAPE: "inkscape:", "http://www.w3.org/XML/1998/namespace": "xml:"}
 TEXT = "#text"
+WITH_TEXT = ("text", "tspan", "textPath", "a", "style", "title")
+REFERRING = ("use", "textPath")
+GROUPS = frozenset({"svg", "g", "a", "switch"})
 
 
 class Element:
-    """An element: its local name ("" for one of another namespace), attributes, children, and text of a #text."""
+    """An element: its local name ("" for one of another namespace), attributes, children, and text of a #text.
+
+    The children of a group in a stream can be gone through once.
+    """
 
     __slots__ = ("attributes", "children", "name", "text")
 
-    def __init__(self, name: str, attributes: dict[str, str]):
+    def __init__(self, name: str, attributes: dict[str, str], children: Iterable[Element] = ()):
         self.name, self.attributes = name, attributes
-        self.children: list[Element] = []
+        self.children = children
         self.text = ""
 
     def get(self, key: str, otherwise: str = "") -> str:
@@ -54,14 +66,21 @@ class Element:
         while waiting:
             element = waiting.pop()
             yield element
-            waiting.extend(reversed(element.children))
+            waiting.extend(reversed(tuple(element.children)))
 
 
 class Document:
-    """The root element, the comments before it (a generator's mark) and whether Adobe's namespaces are used."""
+    """The root element, and what is known of the whole file.
 
-    def __init__(self, root: Element, comments: str, adobe: bool):
-        self.root, self.comments, self.adobe = root, comments, adobe
+    `is_stream`: no element refers to another one, and the groups' children are parsed as they are gone through.
+    `rules`: the text of all <style>. `count`: how many elements there are. `comments`: those before the root (a
+    generator's mark). `adobe`: whether Adobe's namespaces are used.
+    """
+
+    def __init__(self, root: Element, survey: _Survey):
+        self.root, self.is_stream = root, not survey.refers
+        self.rules, self.count = "".join(survey.rules), survey.count
+        self.comments, self.adobe = " ".join(survey.comments), survey.adobe
 
 
 def read_document(path: Path) -> Document:
@@ -70,16 +89,14 @@ def read_document(path: Path) -> Document:
     content = read_input(path, MOST_BYTES)
     if content.startswith(GZIP):
         content = _unpacked(content, place)
-    builder = _Builder(place, len(content))
-    try:
-        for at in range(0, max(len(content), 1), CHUNK_BYTES):
-            checkpoint()
-            builder.parser.Parse(content[at : at + CHUNK_BYTES], at + CHUNK_BYTES >= len(content))
-    except (expat.ExpatError, LookupError, ValueError) as error:
-        if isinstance(error, JobError):
-            raise
-        raise _no_svg(place, printable(str(error), 255), getattr(error, "lineno", None)) from error
-    return builder.document()
+    survey = _Survey(content, place)
+    for _ in survey.parsed():
+        pass
+    if survey.root != "svg":
+        raise _no_svg(place, "its first element is no <svg>")
+    root = _Elements(content, place, not survey.refers).next()
+    assert root is not None
+    return Document(root, survey)
 
 
 def _unpacked(content: bytes, place: Place) -> bytes:
@@ -94,69 +111,95 @@ def _unpacked(content: bytes, place: Place) -> bytes:
     return found
 
 
-class _Builder:
-    """Takes what expat finds; raises JobError where a bound is passed."""
+class _Parser:
+    """Gives what expat finds to the methods of a kind of reading; raises JobError where a bound is passed."""
 
-    def __init__(self, place: Place, size: int):
-        self._place = place
-        self._left = size + MOST_GROWTH
-        self._count = self._entities = 0
-        self._stack: list[Element] = []
-        self._root: Element | None = None
-        self._comments: list[str] = []
-        self._adobe = False
+    def __init__(self, content: bytes, place: Place):
+        self._content, self._place = content, place
         self._names: dict[str, str] = {}
-        self.parser = expat.ParserCreate(namespace_separator="\n")
-        self.parser.buffer_text = True
-        self.parser.SetParamEntityParsing(expat.XML_PARAM_ENTITY_PARSING_NEVER)
-        self.parser.StartElementHandler = self._start
-        self.parser.EndElementHandler = self._end
-        self.parser.CharacterDataHandler = self._characters
-        self.parser.CommentHandler = self._comment
-        self.parser.EntityDeclHandler = self._entity
-        self.parser.StartNamespaceDeclHandler = self._namespace
+        self._parser = expat.ParserCreate(namespace_separator="\n")
+        self._parser.buffer_text = True
+        self._parser.SetParamEntityParsing(expat.XML_PARAM_ENTITY_PARSING_NEVER)
+        self._parser.StartElementHandler = self._start
+        self._parser.EndElementHandler = self._end
+        self._parser.CharacterDataHandler = self._characters
 
-    def document(self) -> Document:
-        """Return what was built."""
-        if self._root is None or self._root.name != "svg":
-            raise _no_svg(self._place, "its first element is no <svg>")
-        return Document(self._root, " ".join(self._comments), self._adobe)
+    def parsed(self) -> Iterator[None]:
+        """Yield before each part of the file is parsed; at the end the parser is let go, with what it refers to."""
+        for at in range(0, max(len(self._content), 1), CHUNK_BYTES):
+            yield
+            checkpoint()
+            try:
+                self._parser.Parse(self._content[at : at + CHUNK_BYTES], at + CHUNK_BYTES >= len(self._content))
+            except (expat.ExpatError, LookupError, ValueError) as error:
+                if isinstance(error, JobError):
+                    raise
+                raise _no_svg(self._place, printable(str(error), 255), getattr(error, "lineno", None)) from error
+        del self._parser, self._content
 
     def _start(self, name: str, attributes: dict[str, str]) -> None:
-        self._count += 1
-        if self._count > MOST_ELEMENTS:
-            raise _large("elements", MOST_ELEMENTS, self._place)
-        if len(self._stack) >= MOST_DEPTH:
-            raise _large("elements within each other", MOST_DEPTH, self._place)
-        names, own = self._names, {}
-        for key, value in attributes.items():
-            self._left -= len(value)
-            own[names[key] if key in names else self._local(key)] = value
-        self._require_growth()
-        element = Element(self._local(name), own)
-        if self._stack:
-            self._stack[-1].children.append(element)
-        elif self._root is None:
-            self._root = element
-        self._stack.append(element)
+        raise NotImplementedError
 
     def _end(self, name: str) -> None:
-        self._stack.pop()
+        raise NotImplementedError
 
     def _characters(self, text: str) -> None:
-        self._left -= len(text)
-        self._require_growth()
-        if self._stack and (self._stack[-1].name in ("text", "tspan", "textPath", "a", "style", "title")):
-            child = Element(TEXT, {})
-            child.text = text
-            self._stack[-1].children.append(child)
+        raise NotImplementedError
+
+    def _element(self, name: str, attributes: dict[str, str]) -> Element:
+        names = self._names
+        own = {names[key] if key in names else self._local(key): value for key, value in attributes.items()}
+        return Element(self._local(name), own)
+
+    def _local(self, name: str) -> str:
+        """Return a name without its namespace where that is SVG's, else with a prefix that we give; "" for unknown."""
+        if name not in self._names and len(self._names) < MOST_ENTITIES * 8:
+            address, _, local = name.rpartition("\n")
+            prefix = PREFIXES.get(address)
+            self._names[name] = "" if prefix is None else prefix + local
+        return self._names.get(name, "")
+
+
+class _Survey(_Parser):
+    """What is to be known of a whole file before it is read, and whether it is in bounds."""
+
+    def __init__(self, content: bytes, place: Place):
+        super().__init__(content, place)
+        self.root: str | None = None
+        self.refers, self.adobe = False, False
+        self.count = self._entities = self._longest = 0
+        self.rules: list[str] = []
+        self.comments: list[str] = []
+        self._inside: list[str] = []
+        self._parser.CommentHandler = self._comment
+        self._parser.EntityDeclHandler = self._entity
+        self._parser.StartNamespaceDeclHandler = self._namespace
+
+    def _start(self, name: str, attributes: dict[str, str]) -> None:
+        self.count += 1
+        if self.count > MOST_ELEMENTS:
+            raise _large("elements", MOST_ELEMENTS, self._place)
+        if len(self._inside) >= MOST_DEPTH:
+            raise _large("elements within each other", MOST_DEPTH, self._place)
+        local = self._local(name)
+        self._inside.append(local)
+        self.refers = self.refers or local in REFERRING
+        if self.root is None:
+            self.root = local
+
+    def _end(self, name: str) -> None:
+        self._inside.pop()
+
+    def _characters(self, text: str) -> None:
+        if self._inside and self._inside[-1] == "style":
+            self.rules.append(text)
 
     def _comment(self, text: str) -> None:
-        if not self._root and len(self._comments) < 8:
-            self._comments.append(text[:200])
+        if not self.root and len(self.comments) < 8:
+            self.comments.append(text[:200])
 
     def _namespace(self, prefix: str | None, address: str | None) -> None:
-        self._adobe = self._adobe or bool(address and address.startswith(ADOBE))
+        self.adobe = self.adobe or bool(address and address.startswith(ADOBE))
 
     def _entity(self, *declared: Any) -> None:
         _, parameter, value, _, system, public, _ = declared
@@ -169,18 +212,57 @@ class _Builder:
                 advice="save it again from the drawing program as plain SVG",
                 place=self._place,
             )
-
-    def _require_growth(self) -> None:
-        if self._left < 0:
+        self._longest = max(self._longest, len(value))
+        if self._content.count(b"&") * self._longest > MOST_GROWTH:
             raise _large("characters with its entities in their places", MOST_GROWTH, self._place)
 
-    def _local(self, name: str) -> str:
-        """Return a name without its namespace where that is SVG's, else with a prefix that we give; "" for unknown."""
-        if name not in self._names and len(self._names) < MOST_ENTITIES * 8:
-            address, _, local = name.rpartition("\n")
-            prefix = PREFIXES.get(address)
-            self._names[name] = "" if prefix is None else prefix + local
-        return self._names.get(name, "")
+
+class _Elements(_Parser):
+    """The elements: all at once, or those of groups as they are asked for."""
+
+    def __init__(self, content: bytes, place: Place, is_stream: bool):
+        super().__init__(content, place)
+        self._streamed: frozenset[str] = GROUPS if is_stream else frozenset()
+        self._parts = self.parsed()
+        self._open: list[tuple[Element, list[Element]]] = []  # of a whole element, and their children
+        self._ready: deque[Element | None] = deque()  # whole elements and begun groups; None ends a group
+
+    def next(self) -> Element | None:
+        """Return the next whole element or begun group, None at the end of a group."""
+        while not self._ready:
+            next(self._parts, None)
+        return self._ready.popleft()
+
+    def _inside(self) -> Iterator[Element]:
+        """Yield the children of a group; what was not taken of one is passed over."""
+        while (element := self.next()) is not None:
+            yield element
+            if element.name in self._streamed:
+                for _ in element.children:
+                    pass
+
+    def _start(self, name: str, attributes: dict[str, str]) -> None:
+        element = self._element(name, attributes)
+        if not self._open and element.name in self._streamed:
+            element.children = self._inside()
+            self._ready.append(element)
+            return
+        children: list[Element] = []
+        element.children = children
+        if self._open:
+            self._open[-1][1].append(element)
+        self._open.append((element, children))
+
+    def _end(self, name: str) -> None:
+        whole = self._open.pop()[0] if self._open else None
+        if not self._open:
+            self._ready.append(whole)
+
+    def _characters(self, text: str) -> None:
+        if self._open and self._open[-1][0].name in WITH_TEXT:
+            child = Element(TEXT, {})
+            child.text = text
+            self._open[-1][1].append(child)
 
 
 def _large(of_what: str, most: int, place: Place) -> JobError:

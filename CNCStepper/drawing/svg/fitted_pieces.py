@@ -2,16 +2,18 @@
 """The pieces of a drawing in the order of the file, their curves fitted many paths at a time.
 
 shape ──► add_paths: waits ──► MOST_WAITING segments ──► PathColumns.curves: one call for all ──► Piece
-text ───► add_curves: keeps its place ────────────────────────────────────────────────────────► Piece
+text ───► add_curves: waits with them ────────────────────────────────────────────────────────► Piece
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.drawing.drawing import Attributes, Piece
+from CNCStepper.drawing.chain_columns import ChainColumns, ChainGatherer
+from CNCStepper.drawing.drawing import Attributes
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.fitting.bezier_path import PathPen, columns_of
@@ -21,11 +23,11 @@ MOST_WAITING = 16_384  # segments
 
 
 class _Waiting(NamedTuple):
-    """The paths of one element, its attributes, the place of its pieces, and what is called where one has no curve."""
+    """The paths of one element, or its curves, its attributes, and what is called where a path has no curve."""
 
     pens: Sequence[PathPen]
+    curves: Sequence[Curve]
     attributes: Attributes
-    place: int
     refused: Callable[[GeometryError], None]
 
 
@@ -34,7 +36,7 @@ class FittedPieces:
 
     def __init__(self, tolerance_mm: float):
         self._tolerance_mm, self._budget = tolerance_mm, SampleBudget()
-        self._pieces: list[Sequence[Piece]] = []  # of each element
+        self._pieces = ChainGatherer()
         self._waiting: list[_Waiting] = []
         self._segments = 0
 
@@ -45,7 +47,8 @@ class FittedPieces:
 
     def add_curves(self, curves: Sequence[Curve], attributes: Attributes) -> None:
         """Add the curves of an element."""
-        self._pieces.append([Piece(curve, attributes) for curve in curves])
+        self._waiting.append(_Waiting((), curves, attributes, _not_refused))
+        self._count(sum(map(len, curves)))
 
     def add_paths(
         self, pens: Sequence[PathPen], attributes: Attributes, refused: Callable[[GeometryError], None]
@@ -57,33 +60,36 @@ class FittedPieces:
         drawn = [pen for pen in pens if len(pen)]
         if not drawn:
             return
-        self._waiting.append(_Waiting(drawn, attributes, len(self._pieces), refused))
-        self._pieces.append(())
-        self._segments += sum(map(len, drawn))
-        if self._segments >= MOST_WAITING:
-            self._fit()
+        self._waiting.append(_Waiting(drawn, (), attributes, refused))
+        self._count(sum(map(len, drawn)))
 
-    def all(self) -> list[Piece]:
+    def all(self) -> ChainColumns:
         """Return the pieces of all elements; raises GeometryError as `add_paths`."""
         self._fit()
-        return [piece for own in self._pieces for piece in own]
+        return self._pieces.columns()
+
+    def _count(self, segments: int) -> None:
+        self._segments += segments
+        if self._segments >= MOST_WAITING:
+            self._fit()
 
     def _fit(self) -> None:
         if not self._waiting:
             return
         checkpoint()
         waiting, self._waiting, self._segments = self._waiting, [], 0
-        found = iter(columns_of([pen for own in waiting for pen in own.pens]).curves(self._tolerance_mm, self._budget))
+        pens = [pen for own in waiting for pen in own.pens]
+        found = iter(columns_of(pens).curves(self._tolerance_mm, self._budget) if pens else ())
         for own in waiting:
-            curves: list[Curve] = []
-            error: GeometryError | None = None
-            for _ in own.pens:
-                curve = next(found)
-                if isinstance(curve, GeometryError):
-                    error = error or curve
-                else:
-                    curves.append(curve)
-            if error is None:
-                self._pieces[own.place] = [Piece(curve, own.attributes) for curve in curves]
-            else:
+            fitted = [next(found) for _ in own.pens]
+            error = next((curve for curve in fitted if isinstance(curve, GeometryError)), None)
+            if error is not None:
                 own.refused(error)
+                continue
+            for curve in itertools.chain(own.curves, fitted):
+                assert isinstance(curve, Curve)
+                self._pieces.add(curve, own.attributes)
+
+
+def _not_refused(error: GeometryError) -> None:
+    raise error

@@ -121,9 +121,8 @@ class _Rule:
 class StyleSheet:
     """The rules of all <style> elements of a drawing."""
 
-    def __init__(self, root: Element):
+    def __init__(self, text: str):
         self._rules: dict[str, list[_Rule]] = defaultdict(list)
-        text = "".join(child.text for each in root.all() if each.name == "style" for child in each.children)
         self._kept: dict[tuple[str, str, str], tuple[tuple[str, str], ...]] = {}
         self._nested, self._trials = False, 0
         self.made: dict[tuple[Any, ...], tuple[Style, Style]] = {}  # see `styled`; the first keeps its id from others

@@ -9,18 +9,21 @@ read is named with the reason; clip paths, masks, dashes and fonts that are not 
 
 from __future__ import annotations
 
+import itertools
 import math
 import operator
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import NamedTuple
 
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.drawing.drawing import Attributes, Drawing, Piece, Share, Skipped, joined_pieces
+from CNCStepper.drawing.chain_columns import ChainColumns
+from CNCStepper.drawing.drawing import Attributes, Drawing, Share, Skipped
+from CNCStepper.drawing.joined_pieces import joined_pieces
 from CNCStepper.drawing.read_drawing import ReadOptions
-from CNCStepper.drawing.svg.document import Document, Element, read_document
+from CNCStepper.drawing.svg.document import REFERRING, Document, Element, read_document
 from CNCStepper.drawing.svg.fitted_pieces import FittedPieces
 from CNCStepper.drawing.svg.matrices import NUMBER, Matrix, fitted, length, transform_of, view_box
 from CNCStepper.drawing.svg.path_data import PathDamage, PlacedPen, draw_path, draw_points, draw_rectangle
@@ -49,8 +52,6 @@ NOT_DRAWN = {
     "animate", "animateTransform", "animateMotion", "set", "#text", "",
 }  # fmt: skip
 PLAIN = re.compile(r"-?\d{1,9}(?:\.\d{1,30})?", re.ASCII)  # a number of user units
-REFERRING = ("use", "textPath")
-FORGOTTEN = Element("", {})
 MARKED = ("path", "line", "polyline", "polygon")
 ESCAPED = re.compile(r"_x([0-9A-Fa-f]{2,4})_")  # what Illustrator makes of blanks and signs in names
 SVG_WARNINGS = {
@@ -122,9 +123,9 @@ class _Walk:
         self._share, self._pieces = share, FittedPieces(tolerance_mm)
         self._letters = LetterOutlines(tolerance_mm, self._pieces.budget)
         self._illustrator = is_illustrator(document)
-        self._sheet = StyleSheet(document.root)
-        self._by_id = _referred(document.root)
-        self._done, self._count = 0, self._counted(document.root, {}, 0)
+        self._sheet = StyleSheet(document.rules)
+        self._by_id = {} if document.is_stream else _referred(document.root)
+        self._done, self._count = 0, document.count if document.is_stream else self._counted(document.root, {}, 0)
         if self._count > MOST_DRAWN:
             what, advice = "the drawing has too many elements with those that it uses", "split it into several drawings"
             raise JobError("svg-large", what, value=f"{self._count:.6g}", limit=f"{MOST_DRAWN}", advice=advice)
@@ -132,7 +133,7 @@ class _Walk:
         self._names: dict[str, dict[str, None]] = {}
         self._skipped: list[tuple[int, Skipped]] = []
 
-    def pieces(self, matrix: Matrix) -> list[Piece]:
+    def pieces(self, matrix: Matrix) -> ChainColumns:
         """Return the pieces of the whole drawing; raises JobError where its curves are too many for the tolerance."""
         style = styled(self._root, Style(), self._sheet, [])
         context = _Context(matrix, style, "", "", (), self._viewport)
@@ -158,9 +159,9 @@ class _Walk:
 
     def _children(self, element: Element, context: _Context, above: list[Element]) -> None:
         inside = [*above, element]
-        children: Iterable[Element] = element.children if self._by_id else _let_go(element.children)
+        children: Iterable[Element] = element.children
         if element.name == "switch":
-            children = [child for child in element.children if _passes(child)][:1]
+            children = itertools.islice(filter(_passes, children), 1)
         for child in children:
             self._element(child, context, inside)
 
@@ -344,13 +345,6 @@ def _referred(root: Element) -> dict[str, Element]:
         if (name := element.get("id")) and "#" + name in addresses:
             found.setdefault(name, element)
     return found
-
-
-def _let_go(children: list[Element]) -> Iterator[Element]:
-    """Yield elements, and forget each: nothing comes back to it."""
-    for number, child in enumerate(children):
-        children[number] = FORGOTTEN
-        yield child
 
 
 def _passes(element: Element) -> bool:

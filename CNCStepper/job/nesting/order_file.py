@@ -274,7 +274,7 @@ def _shape(form: PartForm, name: str, chains_of: ChainsOf) -> tuple[Region, tupl
 
 
 def _read_chains(folder: Path, file: str) -> tuple[str, tuple[Chain, ...]]:
-    return str(folder / file), read_drawing(folder / file, ReadOptions()).chains
+    return str(folder / file), tuple(read_drawing(folder / file, ReadOptions()).chains)
 
 
 def _region(name: str, chains_of: ChainsOf, file: str, layer: str | None) -> tuple[Region, tuple[Chain, ...]]:

@@ -21,6 +21,7 @@ from CNCStepper.simulation.cutter_solid import height_at, reach
 from CNCStepper.simulation.removal.row_kernels import (
     AFTER_LAST,
     BEFORE_NEXT,
+    FAR,
     between,
     columns_between,
     columns_of,
@@ -61,13 +62,16 @@ def cut_point(tile, grid, x, y, z, form):
     x0, y0, dx, dy = grid
     heights, means, tops, bottom = tile
     rows, columns = heights.shape
-    wide = form[0] + 0.5 * (dx + dy)
+    wide, mean_low = form[0] + 0.5 * (dx + dy), max(z, bottom)
     first, last = columns_between(y - wide, y + wide, y0, 1.0 / dy, rows)
     west, east = columns_between(x - wide, x + wide, x0, 1.0 / dx, columns)
     for row in range(first, last + 1):
         north = y0 + row * dy - y
         for column in range(west, east + 1):
-            cell = float(heights[row, column]), float(means[row, column]), float(tops[row, column]), bottom
+            height, mean = float(heights[row, column]), float(means[row, column])
+            if height <= z and mean <= mean_low:
+                continue
+            cell = height, mean, float(tops[row, column]), bottom
             cut = _below_point(cell, x0 + column * dx - x, north, dx, dy, z, form)
             heights[row, column], means[row, column] = cut
 
@@ -126,6 +130,9 @@ def _cut_strip(tile, grid, move, direction, turned, feet, joined, form):
     heights, means, tops, bottom = tile
     x0, y0, dx, dy = grid
     rows, columns = heights.shape
+    if move[4] == 0.0 and feet[2] == 0.0 and feet[3] == 0.0:
+        _cut_level(tile, grid, move, direction, feet, form)
+        return
     low = move[2] + min(move[4] * move[3], 0.0)
     mean_low = max(low, bottom)
     strip = strip_of(move, direction, turned, feet, joined, form, dx, dy)
@@ -142,6 +149,43 @@ def _cut_strip(tile, grid, move, direction, turned, feet, joined, form):
                 cell = height, mean, float(tops[row, column]), bottom
                 cut = _below_line(cell, x, y, dx, dy, move, direction, turned, joined, low, form)
                 heights[row, column], means[row, column] = cut
+
+
+@njit
+def _cut_level(tile, grid, move, direction, feet, form):
+    """Cut the cells beside a level move whose feet lie in a range, which is a rectangle: its rows are found quicker."""
+    heights, means, tops, bottom = tile
+    x0, y0, dx, dy = grid
+    rows, columns = heights.shape
+    ux, uy = direction
+    low, mean_low = move[2], max(move[2], bottom)
+    wide = form[0] + 0.5 * (dx + dy)
+    first_foot, last_foot = max(feet[0], -wide), min(feet[1], move[3] + wide)
+    one, other = uy * first_foot, uy * last_foot
+    first_row, last_row = columns_between(
+        min(one, other) - wide * abs(ux), max(one, other) + wide * abs(ux), y0 - move[1], 1.0 / dy, rows
+    )
+    per_mm, by_ux, by_uy, begin = 1.0 / dx, inverse_of(ux), inverse_of(uy), x0 - move[0]
+    half = abs(wide * by_uy) if by_uy != 0.0 else FAR
+    for row in range(first_row, last_row + 1):
+        y = y0 + row * dy - move[1]
+        middle = y * ux * by_uy
+        west, east = middle - half, middle + half
+        if by_ux != 0.0:
+            one, other = (first_foot - y * uy) * by_ux, (last_foot - y * uy) * by_ux
+            west, east = max(west, min(one, other)), min(east, max(one, other))
+        if west > east:
+            continue
+        first = math.ceil(min(max((west - begin) * per_mm, 0.0), float(columns)))
+        last = math.floor(min(max((east - begin) * per_mm, -1.0), columns - 1.0))
+        for column in range(first, last + 1):
+            height, mean = float(heights[row, column]), float(means[row, column])
+            if height <= low and mean <= mean_low:
+                continue
+            cell = height, mean, float(tops[row, column]), bottom
+            x = x0 + column * dx - move[0]
+            cut = _below_line(cell, x, y, dx, dy, move, direction, (0.0, 0.0, 0.0), 0, low, form)
+            heights[row, column], means[row, column] = cut
 
 
 @njit
@@ -186,7 +230,7 @@ def _cut_wedge(tile, grid, joint, direction, turned, form):
     heights, means, tops, bottom = tile
     rows, columns = heights.shape
     jx, jy, jz = joint[0], joint[1], joint[2]
-    wide = form[0] + 0.5 * (dx + dy)
+    wide, mean_low = form[0] + 0.5 * (dx + dy), max(jz, bottom)
     side = -wide if direction[0] * turned[1] - direction[1] * turned[0] > 0.0 else wide
     one, other = side * direction[0], side * turned[0]
     low, high = min(one, other, 0.0), max(one, other, 0.0)
@@ -202,6 +246,9 @@ def _cut_wedge(tile, grid, joint, direction, turned, form):
         west, east = between(by_second, y * turned[1], -wide, JOINT_MM, west, east)
         first, last = columns_between(west, east, x0 - jx, per_mm, columns)
         for column in range(first, last + 1):
-            cell = float(heights[row, column]), float(means[row, column]), float(tops[row, column]), bottom
+            height, mean = float(heights[row, column]), float(means[row, column])
+            if height <= jz and mean <= mean_low:
+                continue
+            cell = height, mean, float(tops[row, column]), bottom
             cut = _below_point(cell, x0 + column * dx - jx, y, dx, dy, jz, form)
             heights[row, column], means[row, column] = cut

@@ -66,14 +66,28 @@ def is_near(x, y, a, b, arc, arcs, distance):
 
 @njit
 def cut_tile(tile, grid, begin, end, arc, arcs, form, forms, joined, which):
-    """Cut a tile by the moves `which`; grid: x and y of its first cell's centre, lengths of a cell."""
+    """Cut a tile by the moves `which`; grid: x and y of its first cell's centre, lengths of a cell.
+
+    Lines go row by row over the cells that they cut. A short level one along x has many rows of few cells each, so it
+    is cut with x and y exchanged: the cells are the same, and so is what is cut. (Of a ramp, or of a line that a climb
+    goes on from, each row also has the cells between two ranges, which are others by columns.)
+    """
+    heights, means, tops, bottom = tile
+    mirrored = heights.T, means.T, tops.T, bottom
+    mirrored_grid = grid[1], grid[0], grid[3], grid[2]
     for k in which:
         own = forms[form[k], 0], forms[form[k], 1], forms[form[k], 2], forms[form[k], 3]
         if arc[k] >= 0:
             cut_arc(tile, grid, begin[k], end[k], arcs[arc[k]], own)
         else:
-            following = end[min(k + 1, len(end) - 1)]
-            cut_line(tile, grid, begin[k], end[k], following, joined[k], own)
+            a, b, c = begin[k], end[k], end[min(k + 1, len(end) - 1)]
+            along_x, along_y = abs(b[0] - a[0]), abs(b[1] - a[1])
+            if along_y < along_x < 2.0 * own[0] and a[2] == b[2] >= c[2]:
+                exchanged = (a[1], a[0], a[2]), (b[1], b[0], b[2]), (c[1], c[0], c[2])
+                cut_line(mirrored, mirrored_grid, exchanged[0], exchanged[1], exchanged[2], joined[k], own)
+            else:
+                ends = (a[0], a[1], a[2]), (b[0], b[1], b[2]), (c[0], c[1], c[2])
+                cut_line(tile, grid, ends[0], ends[1], ends[2], joined[k], own)
 
 
 def bins(moves, first: int, last: int, grid: tuple[float, ...], shape: tuple[int, int]) -> dict[int, np.ndarray]:

@@ -22,6 +22,7 @@ def register() -> tuple[list[str], list[str], list[str]]:
     from CNCStepper.workbench.commands.create_object import Freehand
     from CNCStepper.workbench.commands.drawings import ImportDrawing, Nest, Shapes, Slice, Template, Text
     from CNCStepper.workbench.commands.first_steps import FirstSteps
+    from CNCStepper.workbench.commands.help import Help
     from CNCStepper.workbench.commands.job import ImportTools, NewJob
     from CNCStepper.workbench.commands.job_files import ExportJob, OpenJob
     from CNCStepper.workbench.commands.machines import Letters, Machines
@@ -34,7 +35,7 @@ def register() -> tuple[list[str], list[str], list[str]]:
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
     sheets = _made(operations.SHEETS)
     machine = (EditProgram(), OpenProgram(), Arrange(), Simulate(), Send(), Controller(), Machines(), Letters())
-    order, files, setting_up = _made(ORDERING), (OpenJob(), ExportJob()), (FirstSteps(), Install())
+    order, files, setting_up = _made(ORDERING), (OpenJob(), ExportJob()), (FirstSteps(), Install(), Help())
     turning = _made(TURNING)
     for command in (*drawing, *areas, *lines_and_holes, *sheets, *turning, *order, *machine, *files, *setting_up):
         FreeCADGui.addCommand(command.name, command)

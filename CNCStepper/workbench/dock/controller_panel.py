@@ -30,6 +30,7 @@ from CNCStepper.workbench.dock.views.relay_view import RelayView
 from CNCStepper.workbench.dock.views.retract_view import RetractView
 from CNCStepper.workbench.dock.views.send_steps_view import FlowView
 from CNCStepper.workbench.dock.views.state_view import PositionView, StateView
+from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.proving.latest_proof import Sender
 from CNCStepper.workbench.services import messages, sounds
 from CNCStepper.workbench.services.findings_list import FindingsList
@@ -51,6 +52,7 @@ class Panel(KeyboardArea):
     def __init__(self, link: Link, send: Sender) -> None:
         super().__init__()
         widgets.named(self, "Panel")
+        f1_key.attach(self, "sending/README.md")
         self.language = FreeCADGui.getLocale()
         self.link, self.log = link, LogView()
         lengths, point = settings.lengths(), settings.decimal_point()
@@ -83,6 +85,13 @@ class Panel(KeyboardArea):
         self.home = widgets.button("Home", tr("Home"), lambda: self.link.command("home"), icon="Home")
         self.unlock = widgets.button("Unlock", tr("Unlock"), lambda: self.link.command("unlock"), icon="Unlock")
         self.console = ConsoleView(lambda line: self.link.command("type", line))
+        for part, page in (
+            (self.connection, "sending/link.md"),
+            (self.file_sending.button, "sending/send-file.md"),
+            (self.recovery.view, "sending/restart.md"),
+            (self.back, "sending/back.md"),
+        ):
+            f1_key.set_page(part, page)
         self._mark: tuple[Any, str] = (None, "")
         self._arrange()
         self._timer = QtCore.QTimer(self)

@@ -21,6 +21,7 @@ from CNCStepper.workbench.editor.status_line import StatusLine
 from CNCStepper.workbench.editor.text_edit import ProgramEdit
 from CNCStepper.workbench.editor.toolbar import EditorBar
 from CNCStepper.workbench.editor.view_session import EditorStage
+from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.object_observers import ProgramObserver
@@ -43,6 +44,7 @@ class EditorPanel(QtGui.QWidget):
         text = source.text()
         super().__init__(parent)
         self.setObjectName("CNCStepper_Editor")
+        f1_key.attach(self, "editing.md")
         self.source = source
         self.edit = ProgramEdit()
         self.reader = ProgramReader(self.text, self)

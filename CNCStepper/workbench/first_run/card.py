@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.first_run.card_setting import remember_closed
 from CNCStepper.workbench.first_run.examples import EXAMPLES, Example, open_example
+from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.services.icons import icon
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
@@ -25,6 +26,7 @@ class Card(QtGui.QDialog):
         super().__init__(parent)
         self.setObjectName(NAME)
         self.setWindowTitle(tr("First steps"))
+        f1_key.attach(self, "freecad.md")
         self.setMinimumWidth(WIDTH_PX)
         self.finished.connect(guarded(remember_closed))
         column = QtGui.QVBoxLayout(self)

@@ -22,6 +22,7 @@ from CNCStepper.workbench.first_run.tour_steps import (
     STEPS,
     Tour,
 )
+from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.services.messages import guarded, polled
 from CNCStepper.workbench.services.translation import tr
 
@@ -41,6 +42,7 @@ class TourDock(QtGui.QDockWidget):
     def __init__(self, parent: Any):
         super().__init__(tr("First part"), parent)
         self.setObjectName(NAME)
+        f1_key.attach(self, "freecad.md")
         self.tour = Tour()
         self._make()
         self._timer = QtCore.QTimer(self)

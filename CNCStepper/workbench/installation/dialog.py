@@ -17,6 +17,7 @@ from CNCStepper import dependencies
 from CNCStepper.control.processes.bootstrap import python_version
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import packages
+from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.installation.pip_messages import progress
 from CNCStepper.workbench.installation.pip_python import container
 from CNCStepper.workbench.installation.process import Installation
@@ -46,6 +47,7 @@ class Installer(QtGui.QDialog):
         super().__init__(parent)
         self.setObjectName(NAME)
         self.setWindowTitle(tr("Install packages"))
+        f1_key.attach(self, "installing.md")
         self.resize(*SIZE)
         self._wanted, self.target = wanted, target or packages.own_folder()
         self.run: Installation | None = None

@@ -26,6 +26,7 @@ from CNCStepper.workbench.dock.connection import error_text
 from CNCStepper.workbench.dock.model.send_steps import POSITION_UNKNOWN
 from CNCStepper.workbench.dock.views import widgets
 from CNCStepper.workbench.dock.window import open_dock
+from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.letters.letter_view import Timeline, WayView, on_words
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services import messages
@@ -50,6 +51,7 @@ class Letters(QtGui.QDialog):
         super().__init__(parent)
         self.setObjectName(NAME)
         self.setWindowTitle(tr("Pulse letters"))
+        f1_key.attach(self, "freecad.md")
         self.resize(*SIZE)
         self.track: LetterTrack | None = None
         self.path = Path()

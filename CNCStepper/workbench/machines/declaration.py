@@ -60,6 +60,12 @@ def rows(model: type[BaseModel] = Machine, above: Path = ()) -> Iterator[Row]:
             yield from rows(inner, path)
 
 
+def key_of_row(path: Path) -> str:
+    """Return the key of a row as the help has it, one for all axes: "axis.NAME.steps_per_mm"."""
+    axis = len(path) > 1 and path[0] == "axis" and path[1] in AXIS_NAMES
+    return ".".join((path[0], "NAME", *path[2:]) if axis else path)
+
+
 def tables() -> tuple[Table, ...]:
     """Return the lists of tables of a profile."""
     return tuple(

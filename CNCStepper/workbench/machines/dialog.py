@@ -15,6 +15,8 @@ from PySide import QtCore, QtGui
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.own_profiles import create, profile_content, profiles, save
 from CNCStepper.machine.profile import Machine
+from CNCStepper.workbench.help import f1_key
+from CNCStepper.workbench.help.topics import PROFILE
 from CNCStepper.workbench.machines.declaration import NUMBER, Path, Row
 from CNCStepper.workbench.machines.draft import Draft, text_of
 from CNCStepper.workbench.machines.fields import words_of
@@ -39,6 +41,7 @@ class Machines(QtGui.QDialog):
         super().__init__(parent)
         self.setObjectName(NAME)
         self.setWindowTitle(tr("Machines"))
+        f1_key.attach(self, PROFILE)
         self.resize(*SIZE)
         self.drafts: dict[str, Draft] = {}
         self.name = ""

@@ -9,7 +9,8 @@ from typing import Any
 from PySide import QtGui
 
 from CNCStepper.gcode.dialects import dialect_names
-from CNCStepper.workbench.machines.declaration import CHECK, CHOICE, SET, Path, Row, Table
+from CNCStepper.workbench.help.f1_key import set_key
+from CNCStepper.workbench.machines.declaration import CHECK, CHOICE, SET, Path, Row, Table, key_of_row
 from CNCStepper.workbench.machines.draft import TRUE, text_of
 from CNCStepper.workbench.machines.labels import choice_label, hint_of, label_of, label_with_unit
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, FRAME, note_label
@@ -39,6 +40,7 @@ class Field(QtGui.QWidget):
         self.editor = self._made(changed)
         self.editor.setToolTip(hint_of(row.path))
         self.editor.setAccessibleName(label_of(row.path))
+        set_key(self, key_of_row(row.path))
         column.addWidget(self.editor)
         column.addWidget(self.note)
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from CNCStepper.workbench.machines.declaration import Path, Row
-from CNCStepper.workbench.services.choice_labels import words_of
+from CNCStepper.workbench.services.choice_labels import english_words_of
 from CNCStepper.workbench.services.translation import later, tr
 
 LABELS = {  # by key, or by table and key where the same key is two things
@@ -154,9 +154,13 @@ GROUPS = {
 
 def label_of(path: Path) -> str:
     """Return the label of a row; of a key that has none the key itself, in words."""
-    key = path[-1]
-    label = LABELS.get(".".join(path[-2:]), LABELS.get(key, ""))
-    return tr(label) if label else key.replace("_", " ")
+    label = english_label_of(path)
+    return tr(label) if label else path[-1].replace("_", " ")
+
+
+def english_label_of(path: Path) -> str:
+    """Return the English label of a row, "" for a key that has none."""
+    return LABELS.get(".".join(path[-2:]), LABELS.get(path[-1], ""))
 
 
 def label_with_unit(row: Row) -> str:
@@ -173,8 +177,13 @@ def hint_of(path: Path) -> str:
 
 def choice_label(path: Path, choice: str) -> str:
     """Return the words of a choice."""
-    words = CHOICES.get(f"{path[-1]}.{choice}", "")
-    return tr(words) if words else words_of(choice, path[-1])
+    words = english_choice_label(path, choice)
+    return tr(words) if words else choice
+
+
+def english_choice_label(path: Path, choice: str) -> str:
+    """Return the English words of a choice, "" for one that is its own label."""
+    return CHOICES.get(f"{path[-1]}.{choice}") or english_words_of(choice, path[-1])
 
 
 def signal_label(name: str) -> str:

@@ -16,6 +16,7 @@ from CNCStepper.workbench.features.base import (
     Property,
     value_of,
 )
+from CNCStepper.workbench.help.f1_key import set_key
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.panels.unit_values import measure_of, text_of, value_of_text, whole_of_text
 from CNCStepper.workbench.services.choice_labels import words_of
@@ -106,6 +107,7 @@ class Field(QtCore.QObject):
         self._column.addWidget(self._work)
         self._column.addWidget(self.note)
         self._explain()
+        set_key(self.widget, entry.key)
 
     def make(self) -> list[Any]:
         """Add the widgets that are typed into or chosen from, and return them."""
@@ -198,6 +200,7 @@ class Field(QtCore.QObject):
         self.label.setToolTip(tr(self.entry.text))
         for editor in self.editors:
             editor.setToolTip(tr(self.entry.text))
+            editor.setWhatsThis(tr(self.entry.text))  # FreeCAD's "What's this?" and Shift+F1 show it
 
     def _why_fixed(self) -> str:
         if any(path.lstrip(".").split(".")[0] == self.entry.name for path, *_ in self.obj.ExpressionEngine):

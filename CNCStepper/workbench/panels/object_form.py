@@ -22,7 +22,9 @@ from CNCStepper.workbench.calculation import deferred_drawing, kernel_warmup
 from CNCStepper.workbench.calculation.cut_process import CutRequest, process
 from CNCStepper.workbench.calculation.precalculation import Look, look_at
 from CNCStepper.workbench.calculation.recompute import remake, steps
-from CNCStepper.workbench.features.base import FAILED, STALE, edit, named, problem_of, values
+from CNCStepper.workbench.features.base import FAILED, STALE, edit, named, problem_of, proxy_type, values
+from CNCStepper.workbench.help import f1_key
+from CNCStepper.workbench.help.topics import object_address
 from CNCStepper.workbench.panels.field_errors import beyond, complaints, key_of, labelled, model_of_type, stock_warnings
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, Field, note_label
 from CNCStepper.workbench.panels.form import Form
@@ -80,6 +82,7 @@ class Editor(QtGui.QWidget):
             column.addWidget(widget)
         self._gone = gone = [False]  # FreeCAD may close the panel without OK or Cancel, as it does with a document
         self.destroyed.connect(lambda: gone.__setitem__(0, True))
+        f1_key.attach(self, object_address(proxy_type(obj)))
         process().prepare()
         self.form.refresh()
         self.apply()

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
 
+from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.restart.place_table import PlaceList
 from CNCStepper.workbench.restart.restart_places import Row, chosen, line_of, row_of
 from CNCStepper.workbench.services.findings_list import FindingsList
@@ -100,6 +101,7 @@ class RestartPanel(QtGui.QWidget):
         super().__init__(parent)
         self.setObjectName(f"{NAME}panel")
         self.setWindowTitle(tr("Restart: {0}").format(label))
+        f1_key.attach(self, "sending/restart.md")
         self.setWindowIcon(icon("CNCStepper_Send"))
         layout = QtGui.QVBoxLayout(self)
         if said:

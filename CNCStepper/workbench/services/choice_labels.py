@@ -168,6 +168,10 @@ WORDS |= {**TURNING_WORDS, **PROCESS_WORDS, **CHART_WORDS, **CUT_WORDS}
 
 def words_of(choice: str, key: str = "") -> str:
     """Return the label of a choice, of the property with a key; one without a label, like G54, is its own."""
-    if (key, choice) in OF_KEY:
-        return tr(OF_KEY[key, choice])
-    return tr(WORDS[choice]) if choice in WORDS else choice
+    known = english_words_of(choice, key)
+    return tr(known) if known else choice
+
+
+def english_words_of(choice: str, key: str = "") -> str:
+    """Return the English label of a choice, "" for one that is its own label."""
+    return OF_KEY.get((key, choice)) or WORDS.get(choice, "")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
 
+from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.services.findings_list import FindingsList
 from CNCStepper.workbench.services.icons import icon
 from CNCStepper.workbench.services.number_format import length_text, totals
@@ -88,6 +89,7 @@ class SimulationPanel(QtGui.QWidget):
         self.setObjectName("CNCStepper_Simulation_panel")
         self.setWindowTitle(tr("Check and simulate"))  # a name in the title would make the panel as wide as it is
         self.setWindowIcon(icon("CNCStepper_Simulate"))
+        f1_key.attach(self, "freecad.md")
         self._layout = QtGui.QVBoxLayout(self)
         name = QtGui.QLabel(label)
         name.setObjectName("CNCStepper_Simulation_name")

@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from CNCStepper.drawing.drawing import Attributes, Drawing, Piece, joined_pieces
+from CNCStepper.drawing.drawing import Attributes, Drawing, Piece
+from CNCStepper.drawing.joined_pieces import joined_pieces
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.shapes.rectangle import rectangle
 

@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 
 from CNCStepper.drawing.drawing import Drawing
-from CNCStepper.drawing.dxf.plain_entities import NotSplit, SplitText, split_text
+from CNCStepper.drawing.dxf.group_text import NotSplit
+from CNCStepper.drawing.dxf.plain_entities import SplitText, split_text
 from CNCStepper.drawing.dxf.reader import read_dxf
 
 SEEDS = range(12)

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.drawing.drawing import Attributes, Piece, joined_pieces
+from CNCStepper.drawing.drawing import Attributes, Piece
+from CNCStepper.drawing.joined_pieces import joined_pieces
 from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
 from CNCStepper.errors import JobError
 from CNCStepper.geometry.curve import straight

@@ -18,6 +18,7 @@ from CNCStepper.machine.cut_charts import cut_data_for, material_key, shipped_ch
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench.dock.model.settings import decimal_point
+from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.message_translation import translated
@@ -51,6 +52,7 @@ class CutDialog(QtGui.QDialog):
         super().__init__(FreeCADGui.getMainWindow())
         self.setObjectName(NAME)
         self.setWindowTitle(tr("How is {0} cut?").format(file))
+        f1_key.attach(self, "sending/send-file.md")
         self._begin = begin
         self.process, self.material, self.consumable = (
             _named(QtGui.QComboBox(), name) for name in ("process", "material", "consumable")

@@ -10,7 +10,8 @@ import ezdxf
 import numpy as np
 import pytest
 
-from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Piece, joined_pieces
+from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Piece
+from CNCStepper.drawing.joined_pieces import joined_pieces
 from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
 from CNCStepper.drawing.repair.mend import fewer_segments, mended
 from CNCStepper.drawing.repair.problems import RepairLimits, problem_counts, problems_of

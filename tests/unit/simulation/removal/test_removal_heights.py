@@ -172,6 +172,20 @@ def test_arcs_of_other_planes_and_spirals_are_cut_along_chords() -> None:
     assert moves.share[-1] == 1.0 and (np.diff(moves.share[moves.row == moves.row[-1]]) > 0).all()
 
 
+@pytest.mark.parametrize("shape", ["flat", "ball"])
+def test_short_level_moves_along_x_cut_what_those_along_y_do(shape: str) -> None:
+    turns = np.cumsum(np.random.default_rng(11).normal(0.0, 0.2, 80))
+    steps = np.column_stack([np.cos(turns), np.sin(turns), 0.0 * turns]) * 0.3
+    points = np.array([-12.0, 1.0, -2.0]) + np.cumsum(steps, axis=0)
+    along_x, along_y = (
+        cut(Moves.lines(ends[:-1], ends[1:], form_of(tool(shape))), CELL_MM).part
+        for ends in (points, points[:, [1, 0, 2]])
+    )
+    for heights in (Part.heights_mm, Part.means_mm):
+        assert heights(along_x).tobytes() == heights(along_y).T.tobytes()
+        assert (heights(along_x) < 0).any()
+
+
 @pytest.mark.parametrize("shape", TOOLS)
 def test_the_profile_is_that_of_the_drawing(shape: str) -> None:
     out = np.linspace(0, R, 50)

@@ -23,7 +23,8 @@ for shape, keys in tools:
         rng = np.random.default_rng(3)
         for point in rng.uniform((-12, -9, -6), (12, 9, 0.5), (25, 3)):
             table.feed(point, 600)
-            table.feed(point + (0.3, 0.1, -0.05), 600)
+            for x, y in ((0.3, 0.1), (0.7, 0.2), (0.6, 0.7)):  # a ramp, and level moves along x and along y
+                table.feed(point + (x, y, -0.05), 600)
         table.feed((3, 0, -1), 600)
         table.arc(ARC_CCW, (3, 0, -3), (1, 0, -1), 600, turns=3)
         table.arc(ARC_CW, (-1, 0, -3), (1, 0, -1), 600)

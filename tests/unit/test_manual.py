@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The manual has what the code has in both languages: fields, keys, commands, options, refusals; links are whole."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+import click
+import pytest
+
+from CNCStepper.cli.main import FAMILY_OF, OTHER_NAMES, group
+from CNCStepper.control.protocol.grbl.firmware import FIRMWARES
+from CNCStepper.cycles.catalogue import CYCLES
+from CNCStepper.workbench.features.base import Feature
+from CNCStepper.workbench.help.feature_classes import CLASSES
+from CNCStepper.workbench.help.object_tables import properties_of_type
+from CNCStepper.workbench.help.topics import GUIDE_PAGES, OBJECT_TOPICS, TOPIC_OF, slug
+from CNCStepper.workbench.machines.declaration import key_of_row, rows, tables
+from helpers.tools import TOOLS, load
+
+ROOT = Path(__file__).parents[2]
+manual = load("manual")
+RAISED = re.compile(r'\b(?:[A-Z]\w*Error|MachineRefusal)\(\s*"([a-z0-9]+(?:-[a-z0-9]+)*)"')
+OF_CONTROLLERS = re.compile(r"(grbl|grblhal|fluidnc|parport|board|lathe)-(error|alarm)-\d+|machine-\w+")
+WITHOUT_PANEL = {"CNCStepper_Preview"}  # the program's picture in the tree
+
+
+@pytest.fixture(scope="module")
+def refusals() -> dict:
+    """What the source refuses; to read it takes some seconds."""
+    return manual.refusal_codes.refusals()
+
+
+@pytest.fixture(scope="module")
+def pages(refusals: dict) -> dict[str, dict[str, str]]:
+    return {language: manual.pages(language, refusals) for language in manual.CATALOGUES}
+
+
+@pytest.mark.slow
+def test_both_languages_have_the_same_pages(pages: dict) -> None:
+    assert set(pages["en"]) == set(pages["pt_BR"])
+    assert len(pages["en"]) > 60
+    assert pages["en"]["objects/CNCStepper_Pocket.md"] != pages["pt_BR"]["objects/CNCStepper_Pocket.md"]
+    assert "# Bolsão" in pages["pt_BR"]["objects/CNCStepper_Pocket.md"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("language", manual.CATALOGUES)
+def test_every_field_of_every_panel_occurs(pages: dict, language: str) -> None:
+    kinds = {kind.Type for kind in _below(Feature) if kind.Type.startswith("CNCStepper_")} - WITHOUT_PANEL
+    assert kinds == {kind.Type for kind in CLASSES} == set(TOPIC_OF)
+    for topic in OBJECT_TOPICS:
+        text = pages[language][f"objects/{topic.type}.md"]
+        missing = [each.key for each in properties_of_type(topic.type) if each.group and f"`{each.key}`" not in text]
+        assert not missing, topic.type
+    profile = pages[language]["machine-profile.md"]
+    keys = [key_of_row(row.path) for row in rows()]
+    keys += [f"{table.key}.{'.'.join(row.path)}" for table in tables() for row in table.columns]
+    assert [key for key in keys if f"`{key}`" not in profile] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("language", manual.CATALOGUES)
+def test_every_command_option_and_key_occurs(pages: dict, language: str) -> None:
+    text = pages[language]["reference/cli.md"]
+    context = click.Context(group, info_name="cncstepper")
+    for verb in FAMILY_OF:
+        assert f"`cncstepper {verb}`" in text
+        command = group.get_command(context, verb)
+        assert command is not None
+        options = [
+            name for each in command.params if isinstance(each, click.Option) and not each.hidden for name in each.opts
+        ]
+        assert verb in OTHER_NAMES or [name for name in options if f"`{name}`" not in text] == []
+    keys = pages[language]["reference/job-file.md"]
+    for name, model in CYCLES.items():
+        assert f"`{name}`" in keys
+        assert [key for key in model.model_fields if f"`{key}" not in keys] == ["cycle"], name  # the heading names it
+    names = {name for name, _, _ in manual.commands()}
+    assert len(names) > 40
+    assert [name for name in names if f"`{name}`" not in pages[language]["commands.md"]] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("language", manual.CATALOGUES)
+def test_every_refusal_occurs_with_what_to_do(pages: dict, language: str) -> None:
+    """The codes of the source are found here by their pattern, and those that tests expect by theirs."""
+    headings = set(re.findall(r"^### ([\w-]+)$", pages[language]["manual/refusals.md"], re.MULTILINE))
+    raised = {code for path in (ROOT / "CNCStepper").rglob("*.py") for code in RAISED.findall(path.read_text("utf-8"))}
+    assert len(raised) > 500
+    assert raised - headings == set()
+    codes = pages[language]["controller-codes.md"]
+    for firmware in FIRMWARES:
+        assert all(f"| ALARM:{number} |" in codes for number in firmware.alarms)
+        assert all(f"| error:{number} |" in codes for number in firmware.errors)
+
+
+@pytest.mark.slow
+def test_codes_that_tests_expect_occur(refusals: dict) -> None:
+    expected = {
+        code
+        for path in (ROOT / "tests" / "unit").rglob("*.py")
+        for code in re.findall(r'\.code == "([\w-]+)"', path.read_text("utf-8"))
+    }
+    assert len(expected) > 50
+    assert [code for code in expected - set(refusals) if not OF_CONTROLLERS.fullmatch(code)] == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("language", manual.CATALOGUES)
+def test_links_and_pictures_are_whole(pages: dict, language: str) -> None:
+    found = pages[language]
+    broken = []
+    for path, text in found.items():
+        for words, target in manual.LINK.findall(manual.CODE_BLOCK.sub("", text)):
+            file, _, heading = target.partition("#")
+            page = os.path.normpath(os.path.join(os.path.dirname(path), file)) if file else path
+            if "://" not in target and (page not in found or (heading and heading not in manual.headings(found[page]))):
+                broken.append((path, words, target))
+    assert broken == []
+    pictures = manual.pictures(found)
+    assert len(pictures) > 40
+    assert [name for name in pictures if not (ROOT / "docs" / name).is_file()] == []
+
+
+def test_a_link_out_of_the_manual_becomes_words_and_code_stays() -> None:
+    pages = {"a.md": "# One\n", "b/c.md": "# Two `x`\n"}
+    text = "[one](../a.md#one) [none](../a.md#none) [gone](../x.py) [web](https://x.y)\n```\n[code](nowhere)\n```\n"
+    whole = manual.whole_links("b/c.md", text, pages)
+    assert whole == "[one](../a.md#one) [none](../a.md) gone [web](https://x.y)\n```\n[code](nowhere)\n```\n"
+    assert manual.headings(pages["b/c.md"]) == {slug("Two x")}
+
+
+def test_every_guide_is_in_the_contents() -> None:
+    folder = ROOT / "docs" / "user-guide"
+    there = {
+        path.relative_to(folder).as_posix() for path in folder.rglob("*.md") if not path.name.endswith(".pt-BR.md")
+    }
+    assert there == {guide.file for guide in GUIDE_PAGES}
+
+
+def test_a_code_that_a_function_hands_on_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    source = """
+WHERE = "correct the line"
+def refuse(code, what):
+    raise JobError(code, what, advice=WHERE)
+def check(name):
+    what = Text("{name} is wrong", name=name)
+    refuse("a-code", what)
+    raise JobError(f"{name}-fault", "it broke")
+"""
+    (tmp_path / "module.py").write_text(source, "utf-8")
+    codes = manual.refusal_codes
+    monkeypatch.setattr(codes, "ROOT", tmp_path)
+    reader = codes.Reader([codes.source_of(tmp_path / "module.py")], {"JobError"})
+    (found,) = reader.read().values()
+    assert (found.code, list(found.sayings)) == ("a-code", [("{name} is wrong", "correct the line")])
+    assert reader.put_together == {"…-fault"}
+
+
+def test_the_set_up_installs_pinned_versions() -> None:
+    pins = (ROOT / "docs" / "manual" / "requirements.txt").read_text("utf-8").splitlines()
+    named = dict(line.split("==") for line in pins if line and not line.startswith("#"))
+    assert {"sphinx", "myst-parser", "weasyprint"} <= set(named)
+    assert "docs/manual/requirements.txt" in (TOOLS / "setup.sh").read_text("utf-8")
+
+
+def _below(kind: type) -> set[type]:
+    return {each for below in kind.__subclasses__() for each in {below, *_below(below)}}
