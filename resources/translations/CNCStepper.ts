@@ -12754,6 +12754,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>F is the lead of the thread here, not a feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fanuc lathe (system A)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Fetching {name}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12851,6 +12859,10 @@
         </message>
         <message>
             <source>G5.3 without a G5.2 before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>G50 with coordinates moves the work zero</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13042,6 +13054,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mach3 Turn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Machine profile, made by CNCStepper</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13230,7 +13246,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>T holds two digits of the tool and two of its offset, which must be the same here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>T0101 changes the tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>T0101 turns the turret</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13594,7 +13622,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a lathe moves X and Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a lathe tool is compensated in the plane ZX</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a lathe's arcs are in the plane ZX (G18)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13779,6 +13815,10 @@
         </message>
         <message>
             <source>a number that no letter begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number without a point is in the last digit's steps on this control, or in whole units by a setting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14815,6 +14855,10 @@
         </message>
         <message>
             <source>change the distance or the tolerance a little</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change the feeds of the other lines by hand</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16431,6 +16475,10 @@
         </message>
         <message>
             <source>in inverse time every {name} needs its own F above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>in system A this is a cycle: write its moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19090,6 +19138,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set G54 on the machine, and write S alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set Z by the chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19515,6 +19567,14 @@
         </message>
         <message>
             <source>switches the coolant on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>system A has G98 (feed a minute) and G99 (a turn)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>system A has no G91: X and Z are absolute</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20786,6 +20846,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the highest speed of the spindle cannot be written: use G97 and a fixed speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the highest spindle speed, which every S is scaled by</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21367,6 +21431,10 @@
         </message>
         <message>
             <source>the object of this program is no longer there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the offset comes with T: T0101</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23674,6 +23742,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>whether X is a diameter is a setting of the control</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>whether X is a diameter is a setting of the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>which run of line {number} is meant is not clear</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23782,6 +23858,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write G32 with the lead in F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write G4 P{delay_s:g} behind M3</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23851,6 +23931,14 @@
         </message>
         <message>
             <source>write S before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write T{number}, and keep the offset of the tool there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write X and Z: coordinates from where the tool is are not read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24118,6 +24206,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write the cycle's moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the end point itself</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24131,6 +24223,10 @@
         </message>
         <message>
             <source>write the path of the tool's centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the point</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24183,6 +24279,10 @@
         </message>
         <message>
             <source>write x_is = "radius"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write x_is = "{own}", or name the controller "{name}:x={x_is}"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24475,6 +24575,10 @@
         </message>
         <message>
             <source>{dialect} has no word for X as a diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{dialect} has no word for the meaning of X: the control is set to X as a {own}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -12754,6 +12754,14 @@
             <translation>Chapa com olhal</translation>
         </message>
         <message>
+            <source>F is the lead of the thread here, not a feed</source>
+            <translation>F aqui é o passo da rosca, não um avanço</translation>
+        </message>
+        <message>
+            <source>Fanuc lathe (system A)</source>
+            <translation>Torno Fanuc (sistema A)</translation>
+        </message>
+        <message>
             <source>Fetching {name}</source>
             <translation>Buscando {name}</translation>
         </message>
@@ -12852,6 +12860,10 @@
         <message>
             <source>G5.3 without a G5.2 before it</source>
             <translation>G5.3 termina o que nenhum G5.2 começou</translation>
+        </message>
+        <message>
+            <source>G50 with coordinates moves the work zero</source>
+            <translation>G50 com coordenadas desloca o zero da peça</translation>
         </message>
         <message>
             <source>G52 moves the zero about which the path is changed</source>
@@ -13042,6 +13054,10 @@
             <translation>o Mach apalpa com G31</translation>
         </message>
         <message>
+            <source>Mach3 Turn</source>
+            <translation>Mach3 Turn</translation>
+        </message>
+        <message>
             <source>Machine profile, made by CNCStepper</source>
             <translation>Perfil de máquina, feito pelo CNCStepper</translation>
         </message>
@@ -13230,8 +13246,20 @@
             <translation>Flange quadrado</translation>
         </message>
         <message>
+            <source>T holds two digits of the tool and two of its offset, which must be the same here</source>
+            <translation>T tem dois algarismos da ferramenta e dois do seu corretor, que aqui devem ser iguais</translation>
+        </message>
+        <message>
             <source>T selects an extruder: pause with M0 where the tool is to be changed</source>
             <translation>T seleciona um extrusor: faça uma pausa com M0 onde a ferramenta deve ser trocada</translation>
+        </message>
+        <message>
+            <source>T0101 changes the tool</source>
+            <translation>T0101 troca a ferramenta</translation>
+        </message>
+        <message>
+            <source>T0101 turns the turret</source>
+            <translation>T0101 gira a torre</translation>
         </message>
         <message>
             <source>TLS takes an authority, a certificate and its key</source>
@@ -13594,8 +13622,16 @@
             <translation>um torno não tem o ciclo '{name}'</translation>
         </message>
         <message>
+            <source>a lathe moves X and Z</source>
+            <translation>um torno move X e Z</translation>
+        </message>
+        <message>
             <source>a lathe tool is compensated in the plane ZX</source>
             <translation>uma ferramenta de torno é compensada no plano ZX</translation>
+        </message>
+        <message>
+            <source>a lathe's arcs are in the plane ZX (G18)</source>
+            <translation>os arcos de um torno ficam no plano ZX (G18)</translation>
         </message>
         <message>
             <source>a lead of kind 'arc' needs radius_mm, and no length_mm</source>
@@ -13780,6 +13816,10 @@
         <message>
             <source>a number that no letter begins</source>
             <translation>um número sem letra antes dele</translation>
+        </message>
+        <message>
+            <source>a number without a point is in the last digit's steps on this control, or in whole units by a setting</source>
+            <translation>um número sem ponto conta neste comando em passos do último algarismo, ou em unidades inteiras por um ajuste</translation>
         </message>
         <message>
             <source>a package that is to be replaced is in use</source>
@@ -14816,6 +14856,10 @@
         <message>
             <source>change the distance or the tolerance a little</source>
             <translation>mude um pouco a distância ou a tolerância</translation>
+        </message>
+        <message>
+            <source>change the feeds of the other lines by hand</source>
+            <translation>mude à mão os avanços das outras linhas</translation>
         </message>
         <message>
             <source>change the text to start it again</source>
@@ -16432,6 +16476,10 @@
         <message>
             <source>in inverse time every {name} needs its own F above 0</source>
             <translation>em tempo inverso cada {name} precisa do seu próprio F maior que 0</translation>
+        </message>
+        <message>
+            <source>in system A this is a cycle: write its moves</source>
+            <translation>no sistema A isto é um ciclo: escreva os seus movimentos</translation>
         </message>
         <message>
             <source>in the operation {span}</source>
@@ -19090,6 +19138,10 @@
             <translation>ajuste F pela tabela</translation>
         </message>
         <message>
+            <source>set G54 on the machine, and write S alone</source>
+            <translation>ajuste G54 na máquina e escreva só S</translation>
+        </message>
+        <message>
             <source>set Z by the chart</source>
             <translation>ajuste Z pela tabela</translation>
         </message>
@@ -19516,6 +19568,14 @@
         <message>
             <source>switches the coolant on</source>
             <translation>liga o fluido de corte</translation>
+        </message>
+        <message>
+            <source>system A has G98 (feed a minute) and G99 (a turn)</source>
+            <translation>o sistema A tem G98 (avanço por minuto) e G99 (por volta)</translation>
+        </message>
+        <message>
+            <source>system A has no G91: X and Z are absolute</source>
+            <translation>o sistema A não tem G91: X e Z são absolutos</translation>
         </message>
         <message>
             <source>table_ms may hold no wait that is longer than the one before it</source>
@@ -20786,6 +20846,10 @@
             <translation>as alturas não cabem na sua caixa</translation>
         </message>
         <message>
+            <source>the highest speed of the spindle cannot be written: use G97 and a fixed speed</source>
+            <translation>a rotação máxima do fuso não pode ser escrita: use G97 e uma rotação fixa</translation>
+        </message>
+        <message>
             <source>the highest spindle speed, which every S is scaled by</source>
             <translation>a rotação máxima do spindle, pela qual todo S é escalado</translation>
         </message>
@@ -21368,6 +21432,10 @@
         <message>
             <source>the object of this program is no longer there</source>
             <translation>o objeto deste programa não existe mais</translation>
+        </message>
+        <message>
+            <source>the offset comes with T: T0101</source>
+            <translation>o corretor vem com T: T0101</translation>
         </message>
         <message>
             <source>the operation has no feed</source>
@@ -23674,6 +23742,14 @@
             <translation>não se sabe onde este trecho começa</translation>
         </message>
         <message>
+            <source>whether X is a diameter is a setting of the control</source>
+            <translation>se X é diâmetro é um ajuste do comando</translation>
+        </message>
+        <message>
+            <source>whether X is a diameter is a setting of the machine</source>
+            <translation>se X é diâmetro é um ajuste da máquina</translation>
+        </message>
+        <message>
             <source>which run of line {number} is meant is not clear</source>
             <translation>não está claro qual execução da linha {number} se quer</translation>
         </message>
@@ -23782,6 +23858,10 @@
             <translation>escreva G18 antes dessa linha</translation>
         </message>
         <message>
+            <source>write G32 with the lead in F</source>
+            <translation>escreva G32 com o passo em F</translation>
+        </message>
+        <message>
             <source>write G4 P{delay_s:g} behind M3</source>
             <translation>escreva G4 P{delay_s:g} depois de M3</translation>
         </message>
@@ -23852,6 +23932,14 @@
         <message>
             <source>write S before</source>
             <translation>escreva S antes</translation>
+        </message>
+        <message>
+            <source>write T{number}, and keep the offset of the tool there</source>
+            <translation>escreva T{number} e guarde ali o corretor da ferramenta</translation>
+        </message>
+        <message>
+            <source>write X and Z: coordinates from where the tool is are not read</source>
+            <translation>escreva X e Z: coordenadas a partir de onde a ferramenta está não são lidas</translation>
         </message>
         <message>
             <source>write X and the seconds</source>
@@ -24118,6 +24206,10 @@
             <translation>escreva o que deve ser cortado como [[operation]]</translation>
         </message>
         <message>
+            <source>write the cycle's moves</source>
+            <translation>escreva os movimentos do ciclo</translation>
+        </message>
+        <message>
             <source>write the end point itself</source>
             <translation>escreva o próprio ponto final</translation>
         </message>
@@ -24132,6 +24224,10 @@
         <message>
             <source>write the path of the tool's centre</source>
             <translation>escreva o percurso do centro da ferramenta</translation>
+        </message>
+        <message>
+            <source>write the point</source>
+            <translation>escreva o ponto</translation>
         </message>
         <message>
             <source>write the program for the dialect fluidnc or grbl</source>
@@ -24184,6 +24280,10 @@
         <message>
             <source>write x_is = "radius"</source>
             <translation>escreva x_is = "radius"</translation>
+        </message>
+        <message>
+            <source>write x_is = "{own}", or name the controller "{name}:x={x_is}"</source>
+            <translation>escreva x_is = "{own}" ou dê ao controlador o nome "{name}:x={x_is}"</translation>
         </message>
         <message>
             <source>write {0} to {1}</source>
@@ -24476,6 +24576,10 @@
         <message>
             <source>{dialect} has no word for X as a diameter</source>
             <translation>{dialect} não tem palavra para X como diâmetro</translation>
+        </message>
+        <message>
+            <source>{dialect} has no word for the meaning of X: the control is set to X as a {own}</source>
+            <translation>{dialect} não tem palavra para o sentido de X: o comando está ajustado para X como {own}</translation>
         </message>
         <message>
             <source>{dialect} has no word {letter}</source>

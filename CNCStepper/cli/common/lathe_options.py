@@ -114,10 +114,10 @@ def lathe_options(function: Callable[..., Any]) -> Callable[..., Any]:
 
 def show_x(program: Path, text: str, dialect: str, machine: Machine | None, err: bool = False) -> None:
     """Say how a lathe program gives X; nothing is said of another machine's program without G7 and G8."""
-    from CNCStepper.gcode.lathe.diameter_mode import has_diameter_code, x_is
+    from CNCStepper.gcode.lathe.diameter_mode import is_lathe_program, x_is
 
     is_lathe = machine is not None and "y" not in machine.own_axes
-    if is_lathe or has_diameter_code(text, dialect):
+    if is_lathe or is_lathe_program(text, dialect):
         click.echo(f"{program}: {X_WORDS[x_is(text, dialect)]}", err=err)
 
 

@@ -13,12 +13,14 @@ from types import MappingProxyType
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing
 from CNCStepper.gcode.dialects.dialect_options import with_machine_setting
+from CNCStepper.gcode.dialects.fanuc_lathe import FANUC_LATHE
 from CNCStepper.gcode.dialects.fluidnc import FLUIDNC
 from CNCStepper.gcode.dialects.grbl import GRBL
 from CNCStepper.gcode.dialects.grblhal import GRBLHAL
 from CNCStepper.gcode.dialects.iso import ISO
 from CNCStepper.gcode.dialects.linuxcnc import LINUXCNC
 from CNCStepper.gcode.dialects.mach import MACH
+from CNCStepper.gcode.dialects.mach_turn import MACH_TURN
 from CNCStepper.gcode.dialects.marlin import MARLIN
 from CNCStepper.gcode.dialects.mini_lathe import MINI_LATHE
 from CNCStepper.gcode.dialects.qtplasmac import QTPLASMAC
@@ -26,7 +28,7 @@ from CNCStepper.gcode.dialects.thesis_a import THESIS_A
 
 __all__ = ["ArcRule", "Dialect", "Writing", "dialect", "dialect_named", "dialect_names"]
 
-_ALL = (GRBL, GRBLHAL, FLUIDNC, LINUXCNC, QTPLASMAC, MACH, MARLIN, ISO, THESIS_A, MINI_LATHE)
+_ALL = (GRBL, GRBLHAL, FLUIDNC, LINUXCNC, QTPLASMAC, MACH, MARLIN, ISO, THESIS_A, MINI_LATHE, FANUC_LATHE, MACH_TURN)
 _DIALECTS = {one.name: one for one in _ALL}
 
 

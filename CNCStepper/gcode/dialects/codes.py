@@ -249,6 +249,10 @@ def _machine() -> list[Code]:
 
 RS274 = MappingProxyType({code.name: code for code in (*_motion(), *_modal(), *_offsets(), *_machine())})
 
+# of lathes whose language is no RS274/NGC
+SPEED_LIMIT = Code("G50", "offsets", "spindle_mode", needs="S", axes="may", act="speed_limit")
+LEAD_BY_FEED = Code("G32", "motion", "motion", axes="must", motion=MOTION_NAMES.index("G33"))
+
 WORDS_THAT_ACT = MappingProxyType(
     {
         "F": Code("F", "F", "feed", act="feed"),

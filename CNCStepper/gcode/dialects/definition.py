@@ -145,6 +145,11 @@ class Dialect:
     waits_for_index: bool = False  # each run of G1 begins at the spindle's index, so that thread passes meet
     starts_at_work_zero: bool = False  # an unknown tool position is taken as the work zero
     z_sign: float = 1.0  # of a lathe: -1 where Z falls away from the chuck
+    is_lathe: bool = False  # the language of a lathe: the plane is ZX, and there is no Y
+    diameter: bool = False  # X words are diameters without a code for it
+    feed_mode: str = "per_minute"  # what F means as the machine is switched on
+    lead_word: str = "K"  # of G33: K along the path, or F along the axis that moves farther
+    turret: bool = False  # T0203 turns the turret to tool 2 and takes its offset 3
 
     def motion_code(self, motion: int) -> Code | None:
         """Return the code that selects the kind of move `motion`, or None."""
@@ -152,6 +157,15 @@ class Dialect:
             if code.motion == motion:
                 return code
         return None
+
+    @property
+    def first_plane(self) -> str:
+        """The plane in force as the machine is switched on, and behind a program's end."""
+        return "ZX" if self.is_lathe else "XY"
+
+    def own_name(self, name: str) -> str:
+        """Return what the dialect calls the code `name` of RS274, "" where it lacks it."""
+        return next((own for own, code in self.codes.items() if code == RS274[name]), "")
 
 
 def with_axes(dialect: Dialect, axes: int) -> Dialect:

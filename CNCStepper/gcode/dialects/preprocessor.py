@@ -23,6 +23,7 @@ from CNCStepper.word_pattern import DECIMAL
 
 TEN_THOUSANDTH = Decimal("0.0001")
 _DOTLESS = re.compile(r"([A-FH-LO-Z][ \t]*)([+-]?[0-9]+)(?![0-9.])", re.IGNORECASE)
+_POINTLESS = re.compile(r"[XZIKRUW][ \t]*[+-]?0*[1-9][0-9]*(?![0-9.])", re.IGNORECASE)
 _FEED = re.compile(rf"(F[ \t]*)({DECIMAL})", re.IGNORECASE)
 _COMMAND = re.compile(r"[GMT][ \t]*[0-9]", re.IGNORECASE)
 _CHECKSUM = re.compile(r"\*([0-9]+)[ \t]*$")
@@ -80,7 +81,7 @@ def pieces(line: str, dialect: Dialect, as_written: bool = False) -> list[Piece]
 
 def reads_moves_directly(dialect: Dialect) -> bool:
     """Return whether a line with only N, one G, coordinates and F is read unchanged."""
-    return not {"records", "dotless", "feed_per_second", "without_height"} & {*dialect.front}
+    return not {"records", "dotless", "pointed", "feed_per_second", "without_height"} & {*dialect.front}
 
 
 # records of the mini-lathe
@@ -215,6 +216,15 @@ def dwell_by_axis(piece: Piece) -> Iterator[Piece]:
     yield piece.replaced(seconds, lambda match: f"P{match[1]}", end)
 
 
+def pointed(piece: Piece) -> Iterator[Piece]:
+    """Refuse lengths and seconds without a point, which are in steps of the last digit on many controls; 0 is 0."""
+    match = _POINTLESS.search(piece.text, 0, _end_of_code(piece.text))
+    if match is not None:
+        what = "a number without a point is in the last digit's steps on this control, or in whole units by a setting"
+        raise piece.refused("no-point", what, match.start(), match[0], "write the point")
+    yield piece
+
+
 # programs of QtPlasmaC
 
 
@@ -295,6 +305,7 @@ STEPS: dict[str, Callable[[Piece], Iterator[Piece]]] = {
         one_command,
         program_name,
         dwell_by_axis,
+        pointed,
         without_height,
     )
 }

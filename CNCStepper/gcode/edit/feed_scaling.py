@@ -25,12 +25,13 @@ def scale_feeds(
 ) -> Edited:
     """Return the program with every feed times `factor`, also those of inverse time.
 
-    Raises ProgramError for a factor not above 0, a program without F words, a feed that would round to 0, and one that
-    stands in another file.
+    Raises ProgramError for a factor not above 0, a program without F words, a feed that would round to 0, one that
+    stands in another file, and one that is the lead of a thread.
     """
     if not factor > 0:
         raise ProgramError("edit-feed", "the factor must be above 0", value=f"{factor:g}")
     old = _read(text, dialect_named(dialect), start, file)
+    _require_no_lead(old, dialect_named(dialect), file)
     source = Lines(text)
     lines = [_line(line, factor, Place(file, number)) for number, line in enumerate(source.lines, start=1)]
     if lines == source.lines and factor != 1.0:
@@ -57,6 +58,14 @@ def _read(text: str, dialect: Dialect, start: Start | None, file: str) -> Toolpa
                     place = Place(source.file, number, token.begin + 1)
                     raise ProgramError("edit-flow", what, value=f"F{token.written}", advice=EXPAND, place=place)
     return reader.toolpath()
+
+
+def _require_no_lead(path: Toolpath, dialect: Dialect, file: str) -> None:
+    """Raise ProgramError for a program with a thread whose lead is an F word."""
+    threads = [event for event in path.events if event.kind == "synchronised" and dialect.lead_word == "F"]
+    if threads:
+        what, advice = "F is the lead of the thread here, not a feed", "change the feeds of the other lines by hand"
+        raise ProgramError("edit-feed", what, value="G32", advice=advice, place=Place(file, threads[0].line))
 
 
 def _line(line: str, factor: float, place: Place) -> str:

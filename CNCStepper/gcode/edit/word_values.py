@@ -56,7 +56,9 @@ _OF_CODE: dict[str, dict[str, str]] = {
     "G92": dict.fromkeys(LINEAR_AXES, "here"),
 }
 _USE_AXES = frozenset(("G10", "G28", "G30", "G43.1", "G52", "G92"))
-_NOT_EDITED = frozenset(("", "G5.2", "G5.3", "G76", "G87", "G96", "@", "^"))  # "": a code by an expression
+_NOT_EDITED = frozenset(
+    ("", "G5.2", "G5.3", "G32", "G50", "G76", "G87", "G96", "@", "^")
+)  # "": a code by an expression
 
 
 def owner(tokens: list[Token], motion: str) -> str:

@@ -176,7 +176,8 @@ def end(block: Block, code: Code) -> None:
     model.use_system("G54")
     emit_work_offset(block)
     emit_rotation(block)
-    if state.plane != "XY" or model.far_plane:
+    plane = block.dialect.first_plane
+    if state.plane != plane or model.far_plane:
         block.call(RS274["G17"].calls[0])
     block.call("SET_FEED_MODE(0, 0)")
     block.call("SET_FEED_RATE(0.0000)")
@@ -189,7 +190,8 @@ def end(block: Block, code: Code) -> None:
             block.call(call)
     for call in ("PALLET_SHUTTLE()",) * (code.name == "M30") + ("PROGRAM_END()",):
         block.call(call)
-    model.change(plane="XY", distance="absolute", feed_mode="per_minute", spindle="off", mist=False, flood=False)
+    own = {"plane": plane, "feed_mode": block.dialect.feed_mode}
+    model.change(**own, distance="absolute", spindle="off", mist=False, flood=False)
     model.motion, model.far_plane = LINE, ""
     model.ended = True
 

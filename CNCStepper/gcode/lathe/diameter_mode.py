@@ -15,11 +15,12 @@ DIAMETER, RADIUS = "G7", "G8"  # of RS274/NGC; a dialect may have other names fo
 def x_is(text: str, dialect: str) -> XIs:
     """Return how a program gives X: "both" where it changes between a radius and a diameter once an X was written.
 
-    Programs begin with the radius.
+    Programs begin with the radius, but where the dialect has it otherwise.
     """
-    meanings = {name: code.name for name, code in dialect_named(dialect).codes.items()}
+    language = dialect_named(dialect)
+    meanings = {name: code.name for name, code in language.codes.items()}
     modes = {name for name, meaning in meanings.items() if meaning in (DIAMETER, RADIUS)}
-    used, mode = set[str](), RADIUS
+    used, mode = set[str](), DIAMETER if language.diameter else RADIUS
     for line in program_lines(text) if modes else ():
         code = split_line(line).code
         named = [meanings[name] for name in scanned_codes(code) & modes]
@@ -31,7 +32,9 @@ def x_is(text: str, dialect: str) -> XIs:
     return "diameter" if (used or {mode}) == {DIAMETER} else "radius"
 
 
-def has_diameter_code(text: str, dialect: str) -> bool:
-    """Return whether a program names G7 or G8, which only lathes have."""
+def is_lathe_program(text: str, dialect: str) -> bool:
+    """Return whether a program is in the language of a lathe, or names G7 or G8, which only lathes have."""
+    if dialect_named(dialect).is_lathe:
+        return True
     codes = {name for name, code in dialect_named(dialect).codes.items() if code.name in (DIAMETER, RADIUS)}
     return bool(codes) and any(codes & scanned_codes(split_line(line).code) for line in program_lines(text))

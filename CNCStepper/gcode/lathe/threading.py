@@ -28,11 +28,12 @@ OTHER_SENSE = {"cw": "ccw", "ccw": "cw"}
 
 
 def thread(block: Block, motion: int, before: int) -> None:
-    """G33: a line whose pitch K, mm a turn, the spindle drives."""
+    """G33: a line whose pitch K, or F of G32, the spindle drives."""
     _begin(block, motion)
     end, further = _end(block)
-    _synchronised(block, block.value("K"))
-    block.move(LINE, end, None, _feed(block, block.value("K"), end), further)
+    lead = _lead(block, end)
+    _synchronised(block, lead)
+    block.move(LINE, end, None, _feed(block, lead, end), further)
     block.call("STOP_SPEED_FEED_SYNCH()")
 
 
@@ -57,15 +58,25 @@ def _begin(block: Block, motion: int) -> str:
     """Check what all these moves need; return in which sense the spindle turns."""
     name = MOTION_NAMES[motion]
     block.model.arc_allowed = True
-    for letter in "PIJK" if name == "G76" else "K":
-        block.must_have(letter, name)
+    for letter in "PIJK" if name == "G76" else block.dialect.lead_word:
+        if letter != "F" or not block.model.feed_number:  # F is modal
+            block.must_have(letter, name)
     check_spindle(block)
     if block.model.compensation and block.model.compensation.radius:
         block.uncompensated(Text("{name} may not be used", name=name), name)
-    if name != "G76" and "F" in block.plan.slots:
+    if name != "G76" and block.dialect.lead_word != "F" and "F" in block.plan.slots:
         what = Text("{name} takes no F: the spindle drives it", name=name)
         raise ProgramError("unused-word", what, value="F", advice="write F on a line of its own")
     return need_turning(block, name)
+
+
+def _lead(block: Block, end: Point) -> float:
+    """Return the travel a turn along the path: K, or what F, along the axis that moves farther, makes of it."""
+    if block.dialect.lead_word == "K":
+        return block.value("K")
+    begin = block.known_position((0, 2))
+    way = abs(end[0] - begin[0]), abs(end[2] - begin[2])
+    return block.model.feed_number * hypot(*way) / (max(way) or 1.0)
 
 
 def _end(block: Block) -> tuple[Point, tuple[float, ...]]:

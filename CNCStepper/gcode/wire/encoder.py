@@ -236,7 +236,7 @@ class WireEncoder:
                     comments += line.comments
                     blocks.append(_words(line.code, piece))
             records = self._records
-            wire = records.wire(blocks) if records.are_used else "".join(map(_short, _sent(blocks)))
+            wire = records.wire(blocks) if records.are_used else _shortened(blocks, language)
         except ProgramError as error:
             column = error.place.column if error.place else 0
             raise error.at(Place(self._file, number, column)) from None
@@ -248,13 +248,14 @@ class WireEncoder:
 
 def _expanded(text: str, language: Dialect, start: Start | None, file: str) -> Iterator[Wire]:
     """Yield the same of a program that is written out."""
-    yield from map(wire_of_block, expanded(text, language, start, file))
+    for block in expanded(text, language, start, file):
+        yield wire_of_block(block, language)
 
 
-def wire_of_block(block: Block) -> Wire:
+def wire_of_block(block: Block, language: Dialect) -> Wire:
     """Return the wire text of an expanded block, "" for nothing."""
     column = min((word.column for word in block.words), default=1)
-    return block.line, list(block.comments), "".join(map(_short, _sent([block.words]))), column
+    return block.line, list(block.comments), _shortened([block.words], language), column
 
 
 def _words(code: str, piece: Piece) -> list[Word]:
@@ -276,10 +277,16 @@ def _sent(blocks: list[list[Word]]) -> Iterator[Word]:
     return (word for block in blocks for word in block if word.letter != "N")
 
 
-def _short(word: Word) -> str:
-    """Return a word with the shortest form of its number."""
+def _shortened(blocks: list[list[Word]], language: Dialect) -> str:
+    """Return the words that are sent, each with the shortest form of its number."""
+    pointed = "pointed" in language.front
+    return "".join(_short(word, pointed) for word in _sent(blocks))
+
+
+def _short(word: Word, pointed: bool) -> str:
+    """Return a word with the shortest form of its number; pointed: without its point it would be another one."""
     sign = "-" if word.number.startswith("-") else ""
     whole, _, rest = word.number.lstrip("+-").partition(".")
     whole, rest = whole.lstrip("0") or "0", rest.rstrip("0")
-    number = f"{whole}.{rest}" if rest else whole
+    number = f"{whole}.{rest}" if rest or (pointed and whole != "0" and "." in word.number) else whole
     return word.letter + (number if number == "0" else sign + number)

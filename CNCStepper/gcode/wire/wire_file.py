@@ -242,7 +242,7 @@ class WireBlocks(WireFile):
 
     def _read(self, blocks: list[Block]) -> None:
         """Send blocks, and read their wire text back."""
-        wire = self._sent(*self._encoder.join(map(wire_of_block, blocks)))
+        wire = self._sent(*self._encoder.join(wire_of_block(block, self._language) for block in blocks))
         self._hand_on(wire)
         sent = groups_of(wire)
         for block in blocks:

@@ -16,6 +16,7 @@ import textwrap
 import unicodedata
 from dataclasses import dataclass
 from functools import cached_property
+from math import hypot
 from typing import TypeVar
 
 import numpy as np
@@ -25,7 +26,7 @@ from CNCStepper.gcode.dialects import Dialect, Writing
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES, PLANE_CODES
 from CNCStepper.gcode.writer.write_options import Notes
 from CNCStepper.tolerances import SAME_SHARE
-from CNCStepper.toolpath import LINE, PLANE_AXES, RAPID, XY
+from CNCStepper.toolpath import LINE, PLANE_AXES, RAPID, XY, ZX
 from CNCStepper.units import MM_PER_INCH
 
 COMMENT_WIDTH = 76
@@ -159,13 +160,13 @@ class BlockEmitter:
         self._number = 0
         self._motion = ""
         self._feed = f"F{grid.short(dialect.default_feed_mm_min)}" if dialect.feed_is_setting else ""
-        self._plane = XY
+        self._plane = ZX if dialect.is_lathe else XY
         self._stale: set[int] = set()  # axes whose next word is written even where nothing changes
         self._cycle = ""
         self._cut_feed_mm_min, self._share = 0.0, "Q0"
         self._distance = "absolute"
         self.distance = "absolute"  # of the moves to come
-        self.x_factor = 1  # of X words: 2 where they are diameters
+        self.x_factor = 2 if dialect.diameter else 1  # of X words: 2 where they are diameters
         self.incremental = False  # coordinates are given from where the machine is
         self.turn_rpm = 0.0  # F is in mm a turn at this speed; 0: a minute
         self.lead_mm = 0.0
@@ -265,9 +266,10 @@ class BlockEmitter:
         axes = self._axes(end)
         if not axes and nowhere:
             axes = [self._axis(axis, count) for axis in self._own_axes if (count := end[axis]) is not None][:1]
-        if axes and self.lead_mm and kind == LINE and SYNCHRONISED in self.dialect.codes:
-            self._motion = SYNCHRONISED
-            self.line(SYNCHRONISED, *axes, f"K{_trimmed(f'{self.lead_mm / self.grid.unit_mm:.{LEAD_DECIMALS}f}')}")
+        thread = self._codes[MOTION_NAMES.index(SYNCHRONISED)]
+        if axes and self.lead_mm and kind == LINE and thread:
+            self._motion = thread.name
+            self.line(thread.name, *axes, self._lead_word(end))
             self._arrive(end)
         elif axes:
             self._bring_feed(kind, feed_mm_min)
@@ -288,6 +290,22 @@ class BlockEmitter:
         word = self._motion_word(kind) or self._name(kind)  # an arc always has its motion word
         self.line(word, *axes, *words, f"P{turns}" if turns > 1 else "", self._feed_word(kind, feed_mm_min))
         self._arrive(end)
+
+    def _lead_word(self, end: Counts) -> str:
+        """Return the travel a turn: K along the path, or F along the axis that moves farther, which is a feed too."""
+        lead = self.lead_mm / self.grid.unit_mm
+        if self.dialect.lead_word == "K":
+            return f"K{_trimmed(f'{lead:.{LEAD_DECIMALS}f}')}"
+        way = [abs((end[axis] or 0) - (self.at[axis] or 0)) for axis in (0, 2)]
+        self._feed = ""
+        lead *= max(way) / (hypot(*way) or 1.0)
+        slack = lead / max(*way, 1)  # by which the last digit of the end changes
+        digits = next((d for d in range(LEAD_DECIMALS) if abs(round(lead, d) - lead) <= slack), LEAD_DECIMALS)
+        return f"F{self.with_point(_trimmed(f'{lead:.{digits}f}'))}"
+
+    def with_point(self, number: str) -> str:
+        """Return a number with its point, where the dialect wants one in each."""
+        return number + "." * (self.writing.pointed and "." not in number)
 
     def _centre_origin(self, axis: int) -> int:
         """Return where I, J, K count from: the begin of the arc, or the work zero."""
@@ -344,7 +362,7 @@ class BlockEmitter:
 
     def has_plane(self, plane: int) -> bool:
         """Whether arcs can be written in this plane."""
-        return plane == XY or PLANE_CODES[plane] in self.dialect.codes
+        return (plane == XY and not self.dialect.is_lathe) or PLANE_CODES[plane] in self.dialect.codes
 
     def _axes(self, end: Counts) -> list[str]:
         """Return the coordinates that must be written; an axis that the dialect lacks stays where it is."""
@@ -437,7 +455,7 @@ class BlockEmitter:
                 "no-feed", "a cutting move has no feed", value=Text("{feed_mm_min:g} mm/min", feed_mm_min=feed_mm_min)
             )
         self._check_feed(float(number) * self.grid.unit_mm * unit_mm_min, feed_mm_min)
-        word = self._feeds[feed_mm_min] = f"F{number}" + "." * (self.writing.pointed and "." not in number)
+        word = self._feeds[feed_mm_min] = f"F{self.with_point(number)}"
         return word
 
     def _check_feed(self, written_mm_min: float, feed_mm_min: float) -> None:

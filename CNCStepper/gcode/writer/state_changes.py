@@ -110,7 +110,9 @@ class Switches:
         self._ask(tool, description, message, first)
         if description:
             self.page.comment(tool_comment(tool, description), own=True)
-        if "T" in self.dialect.letters:
+        if self.dialect.turret:
+            self.page.line(f"T{tool:02d}{tool:02d}")
+        elif "T" in self.dialect.letters:
             self.page.line(f"T{tool}", "M6" if by_m6 else "")
         if self.own_lengths:
             self._measure(tool, length_mm)
@@ -166,7 +168,8 @@ class Switches:
         if self.dialect.power == "always" and len(self.page.lines) == self._on_at:  # the wire is hot already
             return
         if self._has(("G4",), "dwell", "dwells"):
-            self.page.line("G4", f"{self.dialect.dwell_letter}{_number(seconds / self.dialect.dwell_unit_s)}")
+            number = self.page.with_point(_number(seconds / self.dialect.dwell_unit_s))
+            self.page.line("G4", f"{self.dialect.dwell_letter}{number}")
 
     def pause(self, optional: bool, message: str) -> None:
         """Stop until the operator resumes."""
@@ -213,7 +216,10 @@ class Switches:
         is_wanted = bool(state.surface_m_min and self.options.x_is and "G96" in self.dialect.codes)
         if is_wanted and surface != self._surface:
             speed = surface[0] / (1.0 if self.options.units == "mm" else M_PER_FOOT)
-            self.page.line("G96", f"D{_number(surface[1])}", f"S{_number(speed)}")
+            by_word = "G50" not in self.dialect.codes
+            if not by_word:
+                self.page.line("G50", f"S{_number(surface[1])}")
+            self.page.line("G96", f"D{_number(surface[1])}" if by_word else "", f"S{_number(speed)}")
         elif self._surface[0] and not is_wanted:
             self.page.line("G97", self._speed_word(state))
             self._spindle = (self._spindle[0], state.spindle_rpm)

@@ -2,6 +2,7 @@
 """Writes moves that follow the spindle: as G33 with K, as a whole thread with G76, or as G01 from the encoder's index.
 
     G33 Z-32 K2.5                                                   a pass, where the dialect has G33
+    G32 Z-32 F2.5                                                   where the dialect has G32
     G76 P2.5 Z-32 I-1 J0.3 K1.534 R2 Q29 H1 E1.5 L2                 all passes of a start, where that is asked for
     N50 G01 X-0.75 Z-32. F3.75 #                                    a lathe that begins each run of G01 at the index
 
@@ -11,6 +12,7 @@ In the table a row follows the spindle if an event "synchronised" is before it; 
 from __future__ import annotations
 
 from CNCStepper.errors import Place, ProgramError, Text
+from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.writer.block_emitter import SYNCHRONISED, BlockEmitter
 from CNCStepper.gcode.writer.move_rows import RowWriter
 from CNCStepper.toolpath import Event, Toolpath
@@ -37,7 +39,8 @@ class ThreadWriter:
     def check(self, event: Event) -> None:
         """Raise ProgramError where the dialect cannot let the next row follow the spindle."""
         dialect = self.page.dialect
-        if event.text in (SYNCHRONISED, THREAD) and (SYNCHRONISED in dialect.codes or dialect.waits_for_index):
+        has_threads = dialect.motion_code(MOTION_NAMES.index(SYNCHRONISED)) is not None
+        if event.text in (SYNCHRONISED, THREAD) and (has_threads or dialect.waits_for_index):
             return
         what = Text("{dialect} programs are written without '{code}'", dialect=dialect.title, code=event.text)
         advice = dialect.refused.get(event.text, NO_FEED)

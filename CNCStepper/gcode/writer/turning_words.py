@@ -3,6 +3,7 @@
 
 LinuxCNC    G18, G7 (diameter) or G8 (radius), G95 while the spindle turns
 mini-lathe  its own words for both; every coordinate from where the tool is after G91
+fanuc-lathe X as the control is set, G99; mach-turn: the same with G95
 others      G18, X as radius, feeds a minute
 """
 
@@ -40,6 +41,8 @@ def begin_turning(page: BlockEmitter, options: WriteOptions) -> None:
     word = {"diameter": "G7", "radius": "G8"}[options.x_is or "radius"]
     if dialect.codes.get(word) == RS274[word]:
         page.line(word)
+    elif dialect.is_lathe:
+        _require_own(dialect, options.x_is or "radius")
     elif options.x_is == "diameter" and MODES["diameter"] not in dialect.codes.values():
         what = Text("{dialect} has no word for X as a diameter", dialect=dialect.title)
         raise ProgramError("diameter", what, value="x_is = diameter", limit="radius", advice='write x_is = "radius"')
@@ -50,9 +53,22 @@ def begin_turning(page: BlockEmitter, options: WriteOptions) -> None:
     page.incremental = options.incremental
 
 
+def _require_own(dialect: Dialect, x_is: str) -> None:
+    """Raise ProgramError where the control is set to the other meaning of X: no word of the text changes it."""
+    own = "diameter" if dialect.diameter else "radius"
+    if x_is != own:
+        what = "{dialect} has no word for the meaning of X: the control is set to X as a {own}"
+        name = dialect.name.partition(":")[0]
+        advice = Text('write x_is = "{own}", or name the controller "{name}:x={x_is}"', own=own, name=name, x_is=x_is)
+        raise ProgramError(
+            "diameter", Text(what, own=own, dialect=dialect.title), value=f"x_is = {x_is}", limit=own, advice=advice
+        )
+
+
 def follow_feed_mode(page: BlockEmitter, state: State) -> None:
-    """Write G95 before the first feed a turn, where the dialect has it; feeds a minute are those of the header."""
-    if state.feed_mode == "per_turn" and state.spindle_rpm > 0 and "G95" in page.dialect.codes:
+    """Write G95 or G99 before the first feed a turn, where the dialect has it; the header has feeds a minute."""
+    per_turn = page.dialect.own_name("G95")
+    if state.feed_mode == "per_turn" and state.spindle_rpm > 0 and per_turn:
         if not page.turn_rpm:
-            page.line("G95")
+            page.line(per_turn)
         page.use_turn_feed(state.spindle_rpm)

@@ -49,7 +49,7 @@ class _Drawer:
         return Drawn(self.table.toolpath(), self.units, self.counts)
 
     def _has_plane(self, plane: int) -> bool:
-        return plane == 0 or ("G17", "G18", "G19")[plane] in self.dialect.codes
+        return (plane == 0 and not self.dialect.is_lathe) or ("G17", "G18", "G19")[plane] in self.dialect.codes
 
     def _mm(self, point: list[int]) -> tuple[float, ...]:
         """Return a point as the reader works it out."""

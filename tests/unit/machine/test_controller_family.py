@@ -22,7 +22,7 @@ def test_family_follows_from_the_controller(controller: str, family: str) -> Non
     assert makes_pulses(of(controller)) == (family in ("parport", "board"))
 
 
-@pytest.mark.parametrize("controller", ["linuxcnc", "mach", "marlin", "iso", "qtplasmac"])
+@pytest.mark.parametrize("controller", ["linuxcnc", "mach", "marlin", "iso", "qtplasmac", "fanuc-lathe", "mach-turn"])
 def test_languages_of_foreign_controllers_have_no_family(controller: str) -> None:
     assert controller in dialect_names() and family_of(of(controller)) == ""
 

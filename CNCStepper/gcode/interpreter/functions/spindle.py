@@ -9,14 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from CNCStepper.errors import ProgramError, Text
-from CNCStepper.gcode.dialects.codes import SPINDLE, Code
+from CNCStepper.gcode.dialects.codes import AXES, SPEED_LIMIT, SPINDLE, Code
 from CNCStepper.gcode.interpreter.block import Block
-from CNCStepper.gcode.interpreter.state.interpreter_state import POWER_ON, rpm_at
+from CNCStepper.gcode.interpreter.state.interpreter_state import NO_LIMIT, POWER_ON, rpm_at
 
 START = {"cw": "START_SPINDLE_CLOCKWISE(0)", "ccw": "START_SPINDLE_COUNTERCLOCKWISE(0)"}
 SENSES = {"M3": "cw", "M4": "ccw", "M5": "off"}
 STOP = "STOP_SPINDLE_TURNING(0)"
-NO_LIMIT = 1e30  # turns a minute, of G96 without D
 FEET_PER_M = 1 / 0.3048
 
 
@@ -33,6 +32,8 @@ def speed(block: Block, code: Code) -> None:
     """S: turns a minute, or under G96 the speed at the surface."""
     s_word = block.not_negative("S")
     check_spindle(block)
+    if SPEED_LIMIT in block.plan.codes:
+        return
     if block.model.state.surface_m_min:
         in_metres = s_word if block.model.state.units == "mm" else s_word / FEET_PER_M
         block.model.change(surface_m_min=in_metres)
@@ -44,9 +45,20 @@ def speed(block: Block, code: Code) -> None:
 
 def surface_speed(block: Block, code: Code) -> None:
     """G96: S, which the line must hold, is metres (or feet) a minute at the distance X; D is the highest speed."""
-    largest = abs(block.value("D")) if "D" in block.plan.slots else NO_LIMIT
+    largest = abs(block.value("D")) if "D" in block.plan.slots else block.model.highest_rpm
     block.model.change(surface_m_min=NO_LIMIT, largest_rpm=largest)  # S gives it its value
     block.call(f"SET_SPINDLE_MODE(0 {largest:.4f})")
+
+
+def speed_limit(block: Block, code: Code) -> None:
+    """G50: S is the highest speed of the spindle under G96, from now on; it may not set the coordinates."""
+    if block.plan.has(AXES):
+        what = "G50 with coordinates moves the work zero"
+        raise ProgramError("refused-code", what, value="G50", advice="set G54 on the machine, and write S alone")
+    block.model.highest_rpm = block.not_negative("S")
+    if block.model.state.surface_m_min:
+        block.model.change(largest_rpm=block.model.highest_rpm)
+        block.model.change(spindle_rpm=rpm_at(block.model, block.model.position))
 
 
 def turning_speed(block: Block, code: Code) -> None:
@@ -104,5 +116,5 @@ def need_turning(block: Block, name: str, sense: str = "") -> str:
 
 
 SPINDLE_ACTS: dict[str, Callable[[Block, Code], None]] = {
-    act.__name__: act for act in (speed, surface_speed, turning_speed, spindle, orient)
+    act.__name__: act for act in (speed, speed_limit, surface_speed, turning_speed, spindle, orient)
 }

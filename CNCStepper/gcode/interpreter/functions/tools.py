@@ -62,7 +62,7 @@ def entry_of(block: Block, tool: int, value: str) -> ToolEntry:
 
 def tool(block: Block, code: Code) -> None:
     """T: choose a tool, which some dialects load at once."""
-    tool = block.whole("T", 0, block.dialect.largest_tool, "tool-number")
+    tool = _tool_number(block)
     if block.model.bare and tool:
         entry_of(block, tool, "T")
     block.model.selected_tool = tool
@@ -70,6 +70,19 @@ def tool(block: Block, code: Code) -> None:
         _load(block, tool)
     block.event("tool_select", tool)
     block.call(f"SELECT_TOOL({tool})")
+
+
+def _tool_number(block: Block) -> int:
+    """Return the tool of a T word; of a turret the one of its first two digits, whose offset has the same number."""
+    largest = block.dialect.largest_tool
+    if not block.dialect.turret:
+        return block.whole("T", 0, largest, "tool-number")
+    tool, offset = divmod(block.whole("T", 0, 100 * largest + largest, "tool-number"), 100)
+    if tool != offset or not tool:
+        what = "T holds two digits of the tool and two of its offset, which must be the same here"
+        advice = Text("write T{number}, and keep the offset of the tool there", number=f"{tool or offset:02d}" * 2)
+        raise ProgramError("tool-number", what, value="T", advice=advice)
+    return tool
 
 
 def tool_change(block: Block, code: Code) -> None:

@@ -104,6 +104,7 @@ ZERO: Point = ZERO3
 FIRST_PATH_CALLS = ("SET_MOTION_CONTROL_MODE(CANON_CONTINUOUS, 0.000000)", "SET_NAIVECAM_TOLERANCE(0.0000)")
 NO_FURTHER = (0.0,) * 6
 POWER_ON = 1.0  # the speed of "on" without S
+NO_LIMIT = 1e30  # turns a minute, of G96 without D
 
 
 class Model:
@@ -113,7 +114,8 @@ class Model:
     that the short ways through a line serve. further: the machine position of A B C (degrees) U V W (mm), empty
     until one of them is named. origin, g92, tool_offset: of all nine axes, mm and degrees; offset: the three together,
     machine = offset + work turned by `turn`; further_offset: the same of the six. diameter: X words are diameters
-    (G7). run: the words of canned cycles that stick while one is modal; to_initial: G98. parameters: the program's
+    (G7). highest_rpm: of the spindle under G96, from G50.
+    run: the words of canned cycles that stick while one is modal; to_initial: G98. parameters: the program's
     own, shared by the copies; a refused block's are rolled back. path_calls: what a trace says when the path mode in
     force comes back. tools: the tool table; loaded: the entry of the tool in the spindle. saved: modes kept by M70
     and M73, by level of call. feed_number: what the last F said, whatever the units since. feed_of_file_mm_min:
@@ -136,6 +138,7 @@ class Model:
         "further",
         "further_offset",
         "g92",
+        "highest_rpm",
         "loaded",
         "motion",
         "nurbs",
@@ -191,6 +194,7 @@ class Model:
     plain: bool
     plasma: Plasma | None
     diameter: bool
+    highest_rpm: float
     compensation: Compensation | None
     arc_allowed: bool
     nurbs: Nurbs | None
@@ -302,6 +306,8 @@ def model_at(start: Start, dialect: Dialect, bare: bool = False) -> Model:
         tool=start.tool,
         arc_centres=dialect.arc_centres,
         distance=dialect.distance,
+        plane=dialect.first_plane,
+        feed_mode=dialect.feed_mode,
         feed_mm_min=0.0 if dialect.needs_own_feed else dialect.default_feed_mm_min,
         spindle="cw" if dialect.power == "always" else "off",
         spindle_rpm=POWER_ON if dialect.power == "always" else start.spindle_rpm,
@@ -317,6 +323,7 @@ def model_at(start: Start, dialect: Dialect, bare: bool = False) -> Model:
     model.zero_known = start.zero_known
     model.further = tuple(start.position_mm[3:])
     _fresh_modes(model, bare)
+    model.diameter = dialect.diameter
     if dialect.plasma:
         model.plasma = Plasma(cut_feed_mm_min=dialect.default_feed_mm_min)
     model.g92 = nine(start.g92_mm)
@@ -339,6 +346,7 @@ def _fresh_modes(model: Model, bare: bool) -> None:
     model.origin = model.tool_offset = ZERO9
     model.further_offset = NO_FURTHER
     model.diameter = False
+    model.highest_rpm = NO_LIMIT
     model.far_plane = ""
     model.compensation = None
     model.arc_allowed = True
@@ -361,6 +369,8 @@ def _first_position(start: Start, offset: Point, dialect: Dialect) -> Point:
     x, y, z = start.position_mm[:3]
     if not dialect.has_z and isnan(z):
         z = offset[2]
+    if dialect.is_lathe and isnan(y):  # an axis that is not there
+        y = offset[1]
     if dialect.starts_at_work_zero:
         x, y, z = (zero if value != value else value for value, zero in zip((x, y, z), offset, strict=True))
     return float(x), float(y), float(z)

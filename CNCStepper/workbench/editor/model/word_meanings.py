@@ -24,6 +24,7 @@ CODES = {
     "G21": later("lengths are millimetres"),
     "G28": later("goes to the first stored place"),
     "G30": later("goes to the second stored place"),
+    "G32": later("moves in step with the spindle"),
     "G33": later("moves in step with the spindle"),
     "G38.2": later("probes until it touches, an alarm where it does not"),
     "G38.3": later("probes until it touches"),

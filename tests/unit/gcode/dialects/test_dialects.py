@@ -217,7 +217,8 @@ def test_marlin_gets_one_command_a_line_and_the_feed_of_its_rapids():
 
 @pytest.mark.parametrize("name", [name for name in dialect_names() if name != "qtplasmac"])  # it mills nothing
 def test_golden_programs_of_one_job(name, golden):
-    one, job = dialect(name), one_job(is_lathe=name == "mini-lathe")
+    one = dialect(name)
+    job = one_job(is_lathe=name == "mini-lathe" or one.is_lathe)
     options = WriteOptions(title="One job", spin_up_s=2, tools={1: "flat 6 mm", 2: "drill 3 mm"}, leave_out=LEFT_OUT)
     changes = one.writing.tool_change
     if "pause" in changes:
@@ -270,7 +271,8 @@ G4 P1.5
 M2
 %
 """
-NAMES = [name for name in dialect_names() if name not in ("mini-lathe", "linuxcnc", "qtplasmac")]
+LATHES = ("mini-lathe", "fanuc-lathe", "mach-turn")
+NAMES = [name for name in dialect_names() if name not in (*LATHES, "linuxcnc", "qtplasmac")]
 
 
 @pytest.mark.slow

@@ -3,7 +3,7 @@
 
 import pytest
 
-from CNCStepper.gcode.lathe.diameter_mode import has_diameter_code, x_is
+from CNCStepper.gcode.lathe.diameter_mode import is_lathe_program, x_is
 
 
 @pytest.mark.parametrize(
@@ -19,6 +19,10 @@ from CNCStepper.gcode.lathe.diameter_mode import has_diameter_code, x_is
         ("N10 G21 # N20 G00 X-10. #", "mini-lathe", "diameter"),
         ("N10 G20 # N20 G00 X-10. #", "mini-lathe:g20=diameter", "diameter"),
         ("G7 X1", "grbl", "radius"),
+        ("G0 X1.", "fanuc-lathe", "diameter"),
+        ("G0 X1.", "fanuc-lathe:x=radius", "radius"),
+        ("G0 X1", "mach-turn", "diameter"),
+        ("G0 X1", "mach-turn:x=radius", "radius"),
     ],
 )
 def test_x_is(text: str, dialect: str, found: str) -> None:
@@ -26,6 +30,7 @@ def test_x_is(text: str, dialect: str, found: str) -> None:
 
 
 def test_only_a_lathe_names_the_codes() -> None:
-    assert has_diameter_code("G0 X1\nG7", "linuxcnc")
-    assert not has_diameter_code("G0 X1 (G7)\nG17 G70", "linuxcnc")
-    assert not has_diameter_code("G7", "grbl")
+    assert is_lathe_program("G0 X1\nG7", "linuxcnc")
+    assert not is_lathe_program("G0 X1 (G7)\nG17 G70", "linuxcnc")
+    assert not is_lathe_program("G7", "grbl")
+    assert is_lathe_program("G0 X1.", "fanuc-lathe") and is_lathe_program("", "mach-turn:x=radius")

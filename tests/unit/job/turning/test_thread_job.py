@@ -12,6 +12,7 @@ import pytest
 from CNCStepper.cycles.turning.thread_standards import thread_named
 from CNCStepper.cycles.turning.turn_thread import thread_form
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
 from CNCStepper.job.turning.make_turning import in_part, make_turning, placement_of, turned_moves
 from CNCStepper.job.turning.report import judge_turning, setup_of
 from CNCStepper.job.turning.turning_job import load_turning_job, turning_job_of
@@ -19,7 +20,7 @@ from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.simulation.turning.swept_outline import moves_of
 from CNCStepper.virtual.lathe.machine import Lathe
 from helpers.control.twin_bench import send
-from helpers.gcode.rs274_runs import NUMBER, rs274_calls
+from helpers.gcode.rs274_runs import NUMBER, rs274_calls, same_call
 
 ROOT = Path(__file__).parents[4]
 INDEX = "mini-lathe:thread_start=index"
@@ -93,7 +94,7 @@ def test_the_virtual_lathe_begins_every_pass_at_the_same_angle_and_comes_back(na
 
 @pytest.mark.parametrize("name", ["cylinder", "two starts"])
 @pytest.mark.parametrize("x_is", ["radius", "diameter"])
-def test_rs274_reads_the_same_moves_in_g76_and_in_g33(name, x_is, tmp_path):
+def test_rs274_and_our_reader_make_the_same_moves_of_g76_and_of_g33(name, x_is, tmp_path):
     traces = []
     for canned in ("true", "false"):
         profile, operation = JOBS[name]
@@ -103,6 +104,7 @@ def test_rs274_reads_the_same_moves_in_g76_and_in_g33(name, x_is, tmp_path):
         assert ("G76" in program.program) == (canned == "true")
         calls, accepted = rs274_calls(program.program, tmp_path)
         assert accepted, calls[-1]
+        assert all(map(same_call, canonical_calls(program.program), calls))
         found: list[list[float]] = []
         for call in calls:
             if "STRAIGHT_" in call:

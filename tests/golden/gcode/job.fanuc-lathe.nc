@@ -1,0 +1,33 @@
+%
+(One job)
+G21 G18
+G40 G97 G98
+G54
+(tool 1: flat 6 mm)
+T0101
+M03 S10000
+M08
+G04 X2.
+(begin operation: peca no 1)
+G00 X0.000 Z10.000
+Z2.000
+G01 Z-1.000 F200.
+X20.000 Z-1.500 F800.
+G04 X0.5
+G02 X0.000 Z8.500 I-10.000 K0.000
+(finish operation: peca no 1)
+M00 (MSG, turn the part)
+G00 X0.000 Z10.000
+M05
+M09
+(tool 2: drill 3 mm)
+T0202
+M03 S8000
+G04 X2.
+G00 X40.000 Z10.000
+G01 Z-1.000 F100.
+G00 Z10.000
+M05
+M09
+M30
+%

@@ -1,0 +1,31 @@
+(One job)
+G21 G18 G90 G91.1
+G40 G80 G94 G97
+G54
+(tool 1: flat 6 mm)
+T0101
+M3 S10000
+M8
+G4 P2
+(begin operation: peca no 1)
+G0 X0.0000 Z10.0000
+Z2.0000
+G1 Z-1.0000 F200
+X20.0000 Z-1.5000 F800
+G4 P0.5
+G2 X0.0000 Z8.5000 I-10.0000 K0.0000
+(finish operation: peca no 1)
+M0 (MSG, turn the part)
+G0 X0.0000 Z10.0000
+M5
+M9
+(tool 2: drill 3 mm)
+T0202
+M3 S8000
+G4 P2
+G0 X40.0000 Z10.0000
+G1 Z-1.0000 F100
+G0 Z10.0000
+M5
+M9
+M2

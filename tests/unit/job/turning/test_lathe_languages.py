@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Lathe jobs in Fanuc's and Mach's languages: read back they are the moves and feeds that LinuxCNC's program makes."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from CNCStepper.errors import CNCStepperError, ProgramError
+from CNCStepper.gcode.edit.feed_scaling import scale_feeds
+from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.lathe.diameter_mode import x_is
+from CNCStepper.job.turning.make_turning import make_turning
+from CNCStepper.job.turning.prove_turning import prove_turning
+from CNCStepper.job.turning.turning_job import TurningJob, turning_job_of
+from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.state import Start
+from CNCStepper.toolpath import Toolpath
+from helpers.cycles.seeds import SEEDS
+from helpers.job.random_turning import random_job
+
+LANGUAGES = ("fanuc-lathe", "mach-turn")
+WAYS = [{}, {"inside": True}, {"along": "x"}]
+THREAD = """
+machine = "linuxcnc-lathe"
+process = "turning"
+x_is = "radius"
+start = [32, 8]
+stock = { diameter_mm = 50, length_mm = 120 }
+tool = [{ number = 2, kind = "threading", insert = "16ER AG60", spindle_rpm = 90 }]
+profile = [{ name = "part", points = [[20, 0], [25, -100]] }]
+[[operation]]
+cycle = "turn_thread"
+tool = 2
+profile = "part"
+thread = "M24"
+first_depth_mm = 0.3
+diameter_mm = 40
+taper_deg = 2.862405
+length_mm = 50
+pull_out_mm = 2
+"""
+SURFACE = """
+machine = "linuxcnc-lathe"
+process = "turning"
+stock = { diameter_mm = 60, face_mm = 1, length_mm = 100 }
+tool = [{ number = 1, insert = "CNMG 120408", feed_mm_rev = 0.2, feed_max_mm_rev = 0.21, ap_max_mm = 3 }]
+profile = [{ name = "part", points = [[50, 0], [50, -30]] }]
+operation = [
+    { cycle = "turn_face", tool = 1, constant_surface_speed = true, surface_speed_m_min = 120, max_rpm = 2000 },
+    { cycle = "turn_finish", tool = 1, profile = "part", spindle_rpm = 800 }]
+"""
+
+
+def machine_of(controller: str) -> Machine:
+    return load_machine("linuxcnc-lathe").model_copy(update={"controller": controller})
+
+
+def job_of(text: str) -> TurningJob:
+    return turning_job_of(tomllib.loads(text), Path("job.toml"))
+
+
+def made(job: TurningJob, controller: str) -> tuple[str, Toolpath]:
+    """Return a job's program and what our reader makes of it."""
+    (program,) = make_turning(job, machine_of(controller))
+    return program.program, interpret(program.program, Start(), controller)
+
+
+def assert_same_moves(one: Toolpath, other: Toolpath) -> None:
+    """Compare kinds, ends and feeds, within a last digit."""
+    first, second = one.table(), other.table()
+    assert first.kind.tolist() == second.kind.tolist()
+    assert np.allclose(first.end[:, [0, 2]], second.end[:, [0, 2]], atol=0.0011)
+    cuts = first.kind > 0
+    assert np.allclose(first.feed[cuts], second.feed[cuts], rtol=1e-3)
+    rpm = [[path.states[state].spindle_rpm for state in path.table().state[cuts]] for path in (one, other)]
+    assert np.allclose(*rpm, rtol=1e-3)
+
+
+def farthest_mm(one: Toolpath, other: Toolpath) -> float:
+    """Return how far the ends of one path are at most from the nearest ends of the other."""
+    first, second = (path.table().end[:, [0, 2]] @ (1.0, 1.0j) for path in (one, other))
+    return float(np.abs(first[:, None] - second[None, :]).min(axis=1).max())
+
+
+@pytest.mark.parametrize("seed", SEEDS[::5])
+def test_a_random_part_is_the_same_in_every_language(seed):
+    job = random_job(seed, "linuxcnc-lathe", **WAYS[seed % len(WAYS)]).model_copy(update={"x_is": "diameter"})
+    _, expected = made(job, "linuxcnc")
+    for language, code in (("fanuc-lathe", "G99"), ("mach-turn", "G95")):
+        text, path = made(job, language)
+        assert max(farthest_mm(expected, path), farthest_mm(path, expected)) < 0.0011
+        assert x_is(text, language) == "diameter" and text.count(code) == 1
+    assert_same_moves(expected, made(job, "fanuc-lathe")[1])  # Mach's has a digit more
+
+
+def test_a_program_for_fanuc_is_proven_as_any_other(tmp_path):
+    job, machine = random_job(4, "linuxcnc-lathe").model_copy(update={"x_is": "diameter"}), machine_of("fanuc-lathe")
+    (proven,) = prove_turning(job, machine, make_turning(job, machine), tmp_path)
+    assert [str(found) for found in proven.verdict.findings if found.severity != "info"] == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_control_set_to_radii_gets_radii(language):
+    job = random_job(1, "linuxcnc-lathe")
+    _, path = made(job, f"{language}:x=radius")
+    assert farthest_mm(made(job, "linuxcnc")[1], path) < 0.0011
+    for controller, meaning in ((language, "radius"), (f"{language}:x=radius", "diameter")):
+        with pytest.raises(ProgramError) as refusal:
+            made(job.model_copy(update={"x_is": meaning}), controller)
+        assert refusal.value.code == "diameter" and f"{language}:x={meaning}" in str(refusal.value)
+
+
+@pytest.mark.parametrize("x_is", ["radius", "diameter"])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_conical_thread_is_written_as_g32_with_its_lead_along_z(language, x_is):
+    job = job_of(THREAD).model_copy(update={"x_is": x_is})
+    controller = language if x_is == "diameter" else f"{language}:x=radius"
+    text, path = made(job, controller)
+    passes = [line for line in text.splitlines() if line.startswith("G32")]
+    assert len(passes) > 5 and all(line.split()[-1] in ("F3", "F3.") for line in passes)  # M24 has 3 mm
+    expected = made(job, "linuxcnc")[1]
+    assert_same_moves(expected, path)
+    leads = [[event.value for event in one.events if event.kind == "synchronised"] for one in (expected, path)]
+    assert np.allclose(*leads, rtol=3e-4)  # of ends that are rounded
+    with pytest.raises(ProgramError, match="lead of the thread"):
+        scale_feeds(text, 2.0, controller, Start())
+
+
+def test_fanuc_limits_the_speed_of_g96_by_g50():
+    text, path = made(job_of(SURFACE), "fanuc-lathe")
+    lines = text.splitlines()
+    at = lines.index("G50 S2000")
+    assert lines[at + 1] == "G96 S120" and lines.index("G97 S800") > at and "G21 G18" in lines
+    assert_same_moves(made(job_of(SURFACE), "linuxcnc")[1], path)
+
+
+def test_mach_has_no_word_for_the_limit_of_g96():
+    with pytest.raises(CNCStepperError) as refusal:
+        made(job_of(SURFACE), "mach-turn")
+    assert refusal.value.code == "surface-speed" and "spindle_rpm = " in str(refusal.value)
