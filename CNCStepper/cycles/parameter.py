@@ -109,13 +109,17 @@ class Parameters:
 
 OFFSET = Parameter("", "", "Moves what is drawn")
 DEPTH = Parameter(CUT, "Depth", "The depth below the top of the stock", 10.0)
-STEPDOWN = Parameter(CUT, "Stepdown ap", "The depth of one pass at most, ap", 2.0)
-STEPOVER = Parameter(CUT, "Stepover ae", "The width of one pass at most, ae", 2.4)
+STEPDOWN = Parameter(CUT, "Depth per pass", "Stepdown (ap): the depth of one pass at most", 2.0)
+STEPOVER = Parameter(CUT, "Width per pass", "Stepover (ae): the width of one pass at most", 2.4)
 DIRECTION = Parameter(CUT, "Direction", "How the cutter turns against the feed")
 PATTERN = Parameter(CUT, "Pattern", "How the area is cleared")
 PATTERN_ANGLE = Parameter(CUT, "Angle", "From X to the lines of the pattern", only=("pattern", ("zigzag", "oneway")))
-FINISH_STEPDOWN = Parameter(FINISH, "Last stepdown", "The last pass in depth, ap_acab; 0: none", 0.2)
-FINISH_STEPOVER = Parameter(FINISH, "Last stepover", "The last pass at the wall, ae_acab; 0: none", 0.3)
+FINISH_STEPDOWN = Parameter(
+    FINISH, "Last pass: depth", "Finishing stepdown (ap_acab): of the last pass in depth; 0: none", 0.2
+)
+FINISH_STEPOVER = Parameter(
+    FINISH, "Last pass: width", "Finishing stepover (ae_acab): of the last pass at the wall; 0: none", 0.3
+)
 FINISH_FEED = Parameter(FINISH, "Wall feed", "The feed of the last pass at the wall; 0: the tool's own feed")
 STOCK_TO_LEAVE = Parameter(FINISH, "Stock to leave", "Stock to leave at the wall for another operation")
 TOLERANCE = Parameter(PATH, "Tolerance", "How far the wall may be off the drawing")

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool import Tool
+from CNCStepper.machine.tools.tool_shapes import FLAT_FLOOR
 
 
 def require_flat(tool: Tool) -> None:
     """Raise CycleError when the tool leaves no flat floor."""
-    if tool.shape != "flat":
+    if tool.shape not in FLAT_FLOOR:
         raise CycleError(
             "tool-shape",
             Text("a {tool_shape} tool leaves no flat floor", tool_shape=tool.shape),

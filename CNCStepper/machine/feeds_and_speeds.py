@@ -20,10 +20,9 @@ from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.materials import Material, Range
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
-from CNCStepper.machine.tools.tool_shapes import BEAMS
+from CNCStepper.machine.tools.tool_shapes import BEAMS, POINTED
 
 USUAL_FLUTES = 2  # where the tool does not say
-POINTED = ("v", "engraver")  # half their diameter is what cuts, on an average
 SLACK = 1.02  # values rounded for the program are no faults
 
 
@@ -102,7 +101,9 @@ def with_feeds(tool: Tool, material: Material, machine: Machine | None = None) -
 
 
 def _cutting_diameter_mm(tool: Tool) -> float:
-    return max(tool.diameter_mm / 2.0, tool.tip_diameter_mm or 0.0) if tool.shape in POINTED else tool.diameter_mm
+    if tool.shape in POINTED:  # half their diameter is what cuts, on an average
+        return max(tool.diameter_mm / 2.0, tool.tip_diameter_mm or 0.0)
+    return tool.diameter_mm
 
 
 def _chips_mm(tool: Tool, chips: Range) -> Range:

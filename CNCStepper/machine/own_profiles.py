@@ -8,7 +8,7 @@ first change goes into a copy of the same name in the user's folder, which takes
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -50,10 +50,13 @@ def profiles() -> list[Profile]:
     return [Profile(name, name in shipped, name in own) for name in profile_names()]
 
 
-def label_of(name: str) -> str:
-    """Return how a profile is offered: "Cutting table A (table-a)"; one that cannot be read by its name alone."""
+def label_of(name: str, words: Callable[[str], str] = str) -> str:
+    """Return how a profile is offered: "Cutting table A (table-a)"; one that cannot be read by its name alone.
+
+    words: gives the machine's name in the person's language.
+    """
     try:
-        return f"{load_machine(name).name} ({name})"
+        return f"{words(load_machine(name).name)} ({name})"
     except CNCStepperError:
         return name
 

@@ -244,10 +244,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>Between the cuts of two copies</source>
             <translation type="unfinished"></translation>
         </message>
@@ -616,6 +612,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Depth per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Depth to</source>
             <translation type="unfinished"></translation>
         </message>
@@ -853,6 +853,14 @@
         </message>
         <message>
             <source>Finish Stepover</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Finishing stepdown (ap_acab): of the last pass in depth; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1532,11 +1540,11 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Last stepdown</source>
+            <source>Last pass: depth</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Last stepover</source>
+            <source>Last pass: width</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2720,11 +2728,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepdown Used</source>
+            <source>Stepdown (ap), recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepdown ap</source>
+            <source>Stepdown (ap): the depth of one pass at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepdown (ap): the depth of one pass at most; 0: all at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepdown Used</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2732,11 +2748,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepover Used</source>
+            <source>Stepover (ae), recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepover ae</source>
+            <source>Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae): the width of one pass at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover Used</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2868,15 +2892,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, ap</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The depth of one pass at most; 0: all at once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3021,14 +3037,6 @@
         </message>
         <message>
             <source>The job with the machine, stock, tools and clamps for the program</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass at the wall, ae_acab; 0: none</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass in depth, ap_acab; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3257,10 +3265,6 @@
         </message>
         <message>
             <source>The wall towards the chuck</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The width of one pass at most, ae</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3636,6 +3640,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Width per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Work Offset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3681,14 +3689,6 @@
         </message>
         <message>
             <source>Zero's place</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>ae, recalculated to whole passes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>ap, recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3983,7 +3983,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>A serial port, or an address as socket://192.168.0.7:23</source>
+            <source>A serial port, or an address as 192.168.0.7:23</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4108,6 +4108,10 @@
         </message>
         <message>
             <source>Add a tool to this job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a tool: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4436,10 +4440,6 @@
         </message>
         <message>
             <source>Belt's pitch</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4943,6 +4943,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cutting table A</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cutting table B</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cutting the part…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5004,6 +5012,10 @@
         </message>
         <message>
             <source>Depth of cut ap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth per pass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5563,6 +5575,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Finishing stepdown (ap_acab): of the last pass in depth; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Firmware of controllers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5604,6 +5624,10 @@
         </message>
         <message>
             <source>First wait</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Fit the stock to the drawings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5960,6 +5984,10 @@
         </message>
         <message>
             <source>Go on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go on from here…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6807,19 +6835,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Laser table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Last hole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Last pass: depth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Last pass: width</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Last seen</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Last stepdown</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Last stepover</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6828,6 +6860,10 @@
         </message>
         <message>
             <source>Lathe job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lathe with LinuxCNC</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7212,6 +7248,10 @@
         </message>
         <message>
             <source>Milling</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mini-lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7920,6 +7960,10 @@
         </message>
         <message>
             <source>Plasma</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plasma table with QtPlasmaC</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8719,6 +8763,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Show how far the job came when the link broke, and restart it there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show how far the last unfinished job came, and restart it there.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8967,11 +9015,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepdown ap</source>
+            <source>Stepdown (ap), recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Stepover ae</source>
+            <source>Stepdown (ap): the depth of one pass at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepdown (ap): the depth of one pass at most; 0: all at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae), recalculated to whole passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stepover (ae): the width of one pass at most</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9099,6 +9163,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take the feeds of the material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9120,6 +9188,14 @@
         </message>
         <message>
             <source>Take the template of a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take {0}° for the angle between its sides</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9251,15 +9327,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, ap</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The depth of one pass at most; 0: all at once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9444,14 +9512,6 @@
         </message>
         <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass at the wall, ae_acab; 0: none</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>The last pass in depth, ap_acab; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9875,10 +9935,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The width of one pass at most, ae</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The width of the cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9936,6 +9992,10 @@
         </message>
         <message>
             <source>These profiles have changes that are not saved: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Thesis table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10127,6 +10187,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Torch table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Torque at speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10224,6 +10288,10 @@
         </message>
         <message>
             <source>U-bracket</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>USB board</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10567,11 +10635,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Width per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wing rib: out of foam by a hot wire</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Wire cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Wire table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Without its angle it counts as flat. Between its sides:</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10731,10 +10811,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>ae, recalculated to whole passes</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>all</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10792,10 +10868,6 @@
         </message>
         <message>
             <source>any</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>ap, recalculated to whole passes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

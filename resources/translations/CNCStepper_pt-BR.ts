@@ -244,10 +244,6 @@
             <translation>Abaixo deste cinza, 1 a 255, é escuro; 0: achado na imagem</translation>
         </message>
         <message>
-            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
-            <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
-        </message>
-        <message>
             <source>Between the cuts of two copies</source>
             <translation>Entre os cortes de duas cópias</translation>
         </message>
@@ -616,6 +612,10 @@
             <translation>Profundidade de corte ap</translation>
         </message>
         <message>
+            <source>Depth per pass</source>
+            <translation>Profundidade por passe</translation>
+        </message>
+        <message>
             <source>Depth to</source>
             <translation>Profundidade até</translation>
         </message>
@@ -854,6 +854,14 @@
         <message>
             <source>Finish Stepover</source>
             <translation>Última penetração de trabalho</translation>
+        </message>
+        <message>
+            <source>Finishing stepdown (ap_acab): of the last pass in depth; 0: none</source>
+            <translation>Profundidade de corte de acabamento (ap_acab): do último passe em profundidade; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
+            <translation>Penetração de trabalho de acabamento (ae_acab): do último passe na parede; 0: nenhum</translation>
         </message>
         <message>
             <source>First Depth</source>
@@ -1532,12 +1540,12 @@
             <translation>Último furo</translation>
         </message>
         <message>
-            <source>Last stepdown</source>
-            <translation>Última profundidade de corte</translation>
+            <source>Last pass: depth</source>
+            <translation>Último passe: profundidade</translation>
         </message>
         <message>
-            <source>Last stepover</source>
-            <translation>Última penetração de trabalho</translation>
+            <source>Last pass: width</source>
+            <translation>Último passe: largura</translation>
         </message>
         <message>
             <source>Lead Angle</source>
@@ -2720,24 +2728,40 @@
             <translation>Profundidade de corte</translation>
         </message>
         <message>
-            <source>Stepdown Used</source>
-            <translation>Profundidade de corte usada</translation>
+            <source>Stepdown (ap), recalculated to whole passes</source>
+            <translation>Profundidade de corte (ap), recalculada para passes inteiros</translation>
         </message>
         <message>
-            <source>Stepdown ap</source>
-            <translation>Profundidade de corte ap</translation>
+            <source>Stepdown (ap): the depth of one pass at most</source>
+            <translation>Profundidade de corte (ap): a profundidade máxima de um passe</translation>
+        </message>
+        <message>
+            <source>Stepdown (ap): the depth of one pass at most; 0: all at once</source>
+            <translation>Profundidade de corte (ap): a profundidade máxima de um passe; 0: tudo de uma vez</translation>
+        </message>
+        <message>
+            <source>Stepdown Used</source>
+            <translation>Profundidade de corte usada</translation>
         </message>
         <message>
             <source>Stepover</source>
             <translation>Penetração de trabalho</translation>
         </message>
         <message>
-            <source>Stepover Used</source>
-            <translation>Penetração de trabalho usada</translation>
+            <source>Stepover (ae), recalculated to whole passes</source>
+            <translation>Penetração de trabalho (ae), recalculada para passes inteiros</translation>
         </message>
         <message>
-            <source>Stepover ae</source>
-            <translation>Penetração de trabalho ae</translation>
+            <source>Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation>Penetração de trabalho (ae): entre hélices vizinhas, no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
+        </message>
+        <message>
+            <source>Stepover (ae): the width of one pass at most</source>
+            <translation>Penetração de trabalho (ae): a largura máxima de um passe</translation>
+        </message>
+        <message>
+            <source>Stepover Used</source>
+            <translation>Penetração de trabalho usada</translation>
         </message>
         <message>
             <source>Stock</source>
@@ -2868,16 +2892,8 @@
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
         <message>
-            <source>The depth of one pass at most, ap</source>
-            <translation>A profundidade máxima de um passe, ap</translation>
-        </message>
-        <message>
             <source>The depth of one pass at most, on the radius</source>
             <translation>A profundidade de um passe, no máximo, no raio</translation>
-        </message>
-        <message>
-            <source>The depth of one pass at most; 0: all at once</source>
-            <translation>A profundidade máxima de um passe; 0: tudo de uma vez</translation>
         </message>
         <message>
             <source>The depth of the first pass</source>
@@ -3022,14 +3038,6 @@
         <message>
             <source>The job with the machine, stock, tools and clamps for the program</source>
             <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
-        </message>
-        <message>
-            <source>The last pass at the wall, ae_acab; 0: none</source>
-            <translation>O último passe na parede, ae_acab; 0: nenhum</translation>
-        </message>
-        <message>
-            <source>The last pass in depth, ap_acab; 0: none</source>
-            <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
         </message>
         <message>
             <source>The layer in the file</source>
@@ -3258,10 +3266,6 @@
         <message>
             <source>The wall towards the chuck</source>
             <translation>A parede do lado da placa</translation>
-        </message>
-        <message>
-            <source>The width of one pass at most, ae</source>
-            <translation>A largura máxima de um passe, ae</translation>
         </message>
         <message>
             <source>The width of the cut</source>
@@ -3636,6 +3640,10 @@
             <translation>Largura Y</translation>
         </message>
         <message>
+            <source>Width per pass</source>
+            <translation>Largura por passe</translation>
+        </message>
+        <message>
             <source>Work Offset</source>
             <translation>Sistema de coordenadas</translation>
         </message>
@@ -3682,14 +3690,6 @@
         <message>
             <source>Zero's place</source>
             <translation>Lugar do zero</translation>
-        </message>
-        <message>
-            <source>ae, recalculated to whole passes</source>
-            <translation>ae, recalculada para passes inteiros</translation>
-        </message>
-        <message>
-            <source>ap, recalculated to whole passes</source>
-            <translation>ap, recalculada para passes inteiros</translation>
         </message>
         <message>
             <source>by numbers</source>
@@ -3983,8 +3983,8 @@
             <translation>Um furo redondo com uma face plana em cima, para eixos com face plana; em torno do centro do círculo.</translation>
         </message>
         <message>
-            <source>A serial port, or an address as socket://192.168.0.7:23</source>
-            <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
+            <source>A serial port, or an address as 192.168.0.7:23</source>
+            <translation>Uma porta serial, ou um endereço como 192.168.0.7:23</translation>
         </message>
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
@@ -4109,6 +4109,10 @@
         <message>
             <source>Add a tool to this job</source>
             <translation>Adiciona uma ferramenta a este trabalho</translation>
+        </message>
+        <message>
+            <source>Add a tool: {0}</source>
+            <translation>Acrescentar ferramenta: {0}</translation>
         </message>
         <message>
             <source>Add drawings, sketches or operations of the document</source>
@@ -4437,10 +4441,6 @@
         <message>
             <source>Belt's pitch</source>
             <translation>Passo da correia</translation>
-        </message>
-        <message>
-            <source>Between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
-            <translation>Entre hélices vizinhas no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
         </message>
         <message>
             <source>Between the cuts of two copies</source>
@@ -4943,6 +4943,14 @@
             <translation>Corte</translation>
         </message>
         <message>
+            <source>Cutting table A</source>
+            <translation>Mesa de corte A</translation>
+        </message>
+        <message>
+            <source>Cutting table B</source>
+            <translation>Mesa de corte B</translation>
+        </message>
+        <message>
             <source>Cutting the part…</source>
             <translation>Usinando a peça…</translation>
         </message>
@@ -5005,6 +5013,10 @@
         <message>
             <source>Depth of cut ap</source>
             <translation>Profundidade de corte ap</translation>
+        </message>
+        <message>
+            <source>Depth per pass</source>
+            <translation>Profundidade por passe</translation>
         </message>
         <message>
             <source>Depth to</source>
@@ -5563,6 +5575,14 @@
             <translation>Terminando</translation>
         </message>
         <message>
+            <source>Finishing stepdown (ap_acab): of the last pass in depth; 0: none</source>
+            <translation>Profundidade de corte de acabamento (ap_acab): do último passe em profundidade; 0: nenhum</translation>
+        </message>
+        <message>
+            <source>Finishing stepover (ae_acab): of the last pass at the wall; 0: none</source>
+            <translation>Penetração de trabalho de acabamento (ae_acab): do último passe na parede; 0: nenhum</translation>
+        </message>
+        <message>
             <source>Firmware of controllers</source>
             <translation>Firmware dos controladores</translation>
         </message>
@@ -5605,6 +5625,10 @@
         <message>
             <source>First wait</source>
             <translation>Primeira espera</translation>
+        </message>
+        <message>
+            <source>Fit the stock to the drawings</source>
+            <translation>Ajustar o bruto aos desenhos</translation>
         </message>
         <message>
             <source>Fit to drawing</source>
@@ -5961,6 +5985,10 @@
         <message>
             <source>Go on</source>
             <translation>Continuar</translation>
+        </message>
+        <message>
+            <source>Go on from here…</source>
+            <translation>Continuar daqui…</translation>
         </message>
         <message>
             <source>Go up to this Z first; where none is given: the program's highest crossing rapid</source>
@@ -6807,20 +6835,24 @@
             <translation>Laser (M4 com potência)</translation>
         </message>
         <message>
+            <source>Laser table</source>
+            <translation>Mesa de laser</translation>
+        </message>
+        <message>
             <source>Last hole</source>
             <translation>Último furo</translation>
         </message>
         <message>
+            <source>Last pass: depth</source>
+            <translation>Último passe: profundidade</translation>
+        </message>
+        <message>
+            <source>Last pass: width</source>
+            <translation>Último passe: largura</translation>
+        </message>
+        <message>
             <source>Last seen</source>
             <translation>Visto por último</translation>
-        </message>
-        <message>
-            <source>Last stepdown</source>
-            <translation>Última profundidade de corte</translation>
-        </message>
-        <message>
-            <source>Last stepover</source>
-            <translation>Última penetração de trabalho</translation>
         </message>
         <message>
             <source>Later</source>
@@ -6829,6 +6861,10 @@
         <message>
             <source>Lathe job</source>
             <translation>Trabalho de torno</translation>
+        </message>
+        <message>
+            <source>Lathe with LinuxCNC</source>
+            <translation>Torno com LinuxCNC</translation>
         </message>
         <message>
             <source>Layer</source>
@@ -7213,6 +7249,10 @@
         <message>
             <source>Milling</source>
             <translation>Fresamento</translation>
+        </message>
+        <message>
+            <source>Mini-lathe</source>
+            <translation>Minitorno</translation>
         </message>
         <message>
             <source>Minor</source>
@@ -7923,6 +7963,10 @@
             <translation>Plasma</translation>
         </message>
         <message>
+            <source>Plasma table with QtPlasmaC</source>
+            <translation>Mesa de plasma com QtPlasmaC</translation>
+        </message>
+        <message>
             <source>Plate: holes, pockets and a contour</source>
             <translation>Placa: furos, bolsões e um contorno</translation>
         </message>
@@ -8372,7 +8416,7 @@
         </message>
         <message>
             <source>Restart</source>
-            <translation>Reinício</translation>
+            <translation>Retomada</translation>
         </message>
         <message>
             <source>Restart after an interruption</source>
@@ -8380,7 +8424,7 @@
         </message>
         <message>
             <source>Restart from here…</source>
-            <translation>Reiniciar daqui…</translation>
+            <translation>Retomar daqui…</translation>
         </message>
         <message>
             <source>Restart the program at a line, an operation, a contour or a place in the picture.</source>
@@ -8392,11 +8436,11 @@
         </message>
         <message>
             <source>Restart: {0}</source>
-            <translation>Reinício: {0}</translation>
+            <translation>Retomada: {0}</translation>
         </message>
         <message>
             <source>Restart…</source>
-            <translation>Reiniciar…</translation>
+            <translation>Retomar…</translation>
         </message>
         <message>
             <source>Result</source>
@@ -8632,7 +8676,7 @@
         </message>
         <message>
             <source>Send this restart…</source>
-            <translation>Enviar este reinício…</translation>
+            <translation>Enviar esta retomada…</translation>
         </message>
         <message>
             <source>Send time</source>
@@ -8719,8 +8763,12 @@
             <translation>Mais curtos que</translation>
         </message>
         <message>
+            <source>Show how far the job came when the link broke, and restart it there</source>
+            <translation>Mostrar até onde o trabalho chegou quando a ligação caiu, e retomá-lo dali</translation>
+        </message>
+        <message>
             <source>Show how far the last unfinished job came, and restart it there.</source>
-            <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o reinicia ali.</translation>
+            <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o retoma ali.</translation>
         </message>
         <message>
             <source>Show the tool's path</source>
@@ -8967,12 +9015,28 @@
             <translation>Etapa {0} de {1}</translation>
         </message>
         <message>
-            <source>Stepdown ap</source>
-            <translation>Profundidade de corte ap</translation>
+            <source>Stepdown (ap), recalculated to whole passes</source>
+            <translation>Profundidade de corte (ap), recalculada para passes inteiros</translation>
         </message>
         <message>
-            <source>Stepover ae</source>
-            <translation>Penetração de trabalho ae</translation>
+            <source>Stepdown (ap): the depth of one pass at most</source>
+            <translation>Profundidade de corte (ap): a profundidade máxima de um passe</translation>
+        </message>
+        <message>
+            <source>Stepdown (ap): the depth of one pass at most; 0: all at once</source>
+            <translation>Profundidade de corte (ap): a profundidade máxima de um passe; 0: tudo de uma vez</translation>
+        </message>
+        <message>
+            <source>Stepover (ae), recalculated to whole passes</source>
+            <translation>Penetração de trabalho (ae), recalculada para passes inteiros</translation>
+        </message>
+        <message>
+            <source>Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter</source>
+            <translation>Penetração de trabalho (ae): entre hélices vizinhas, no máximo; 0: 0,4 do diâmetro da ferramenta</translation>
+        </message>
+        <message>
+            <source>Stepover (ae): the width of one pass at most</source>
+            <translation>Penetração de trabalho (ae): a largura máxima de um passe</translation>
         </message>
         <message>
             <source>Stepper motor (open loop)</source>
@@ -9099,6 +9163,10 @@
             <translation>Faça primeiro a leitura do relógio dos dois lados.</translation>
         </message>
         <message>
+            <source>Take the feeds of the material</source>
+            <translation>Usar os avanços do material</translation>
+        </message>
+        <message>
             <source>Take the line numbers out</source>
             <translation>Tirar os números de linha</translation>
         </message>
@@ -9121,6 +9189,14 @@
         <message>
             <source>Take the template of a file</source>
             <translation>Usa o modelo de um arquivo</translation>
+        </message>
+        <message>
+            <source>Take {0}</source>
+            <translation>Usar {0}</translation>
+        </message>
+        <message>
+            <source>Take {0}° for the angle between its sides</source>
+            <translation>Usar {0}° como ângulo entre os lados</translation>
         </message>
         <message>
             <source>Taken out, drawn twice</source>
@@ -9192,7 +9268,7 @@
         </message>
         <message>
             <source>The checks found errors: this restart must not be sent.</source>
-            <translation>A verificação encontrou erros: este reinício não pode ser enviado.</translation>
+            <translation>A verificação encontrou erros: esta retomada não pode ser enviada.</translation>
         </message>
         <message>
             <source>The circles and points of sketches, or the circular edges of solids</source>
@@ -9251,16 +9327,8 @@
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
         <message>
-            <source>The depth of one pass at most, ap</source>
-            <translation>A profundidade máxima de um passe, ap</translation>
-        </message>
-        <message>
             <source>The depth of one pass at most, on the radius</source>
             <translation>A profundidade de um passe, no máximo, no raio</translation>
-        </message>
-        <message>
-            <source>The depth of one pass at most; 0: all at once</source>
-            <translation>A profundidade máxima de um passe; 0: tudo de uma vez</translation>
         </message>
         <message>
             <source>The depth of the first pass</source>
@@ -9445,14 +9513,6 @@
         <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>
             <translation>O último trabalho desta máquina, {0}, não foi cortado até o fim. Trabalho inacabado… diz até onde ele chegou.</translation>
-        </message>
-        <message>
-            <source>The last pass at the wall, ae_acab; 0: none</source>
-            <translation>O último passe na parede, ae_acab; 0: nenhum</translation>
-        </message>
-        <message>
-            <source>The last pass in depth, ap_acab; 0: none</source>
-            <translation>O último passe em profundidade, ap_acab; 0: nenhum</translation>
         </message>
         <message>
             <source>The layer in the file</source>
@@ -9712,7 +9772,7 @@
         </message>
         <message>
             <source>The restart is made and proven…</source>
-            <translation>O reinício está sendo criado e verificado…</translation>
+            <translation>A retomada está sendo criada e verificada…</translation>
         </message>
         <message>
             <source>The retract along the cut is being calculated: wait, hold or stop.</source>
@@ -9875,10 +9935,6 @@
             <translation>A parede do lado da placa</translation>
         </message>
         <message>
-            <source>The width of one pass at most, ae</source>
-            <translation>A largura máxima de um passe, ae</translation>
-        </message>
-        <message>
             <source>The width of the cut</source>
             <translation>A largura do corte</translation>
         </message>
@@ -9928,7 +9984,7 @@
         </message>
         <message>
             <source>There is no restart to send yet.</source>
-            <translation>Ainda não há reinício para enviar.</translation>
+            <translation>Ainda não há retomada para enviar.</translation>
         </message>
         <message>
             <source>There is nothing that fits</source>
@@ -9937,6 +9993,10 @@
         <message>
             <source>These profiles have changes that are not saved: {0}</source>
             <translation>Estes perfis têm mudanças não salvas: {0}</translation>
+        </message>
+        <message>
+            <source>Thesis table</source>
+            <translation>Mesa da tese</translation>
         </message>
         <message>
             <source>Thickness</source>
@@ -10127,6 +10187,10 @@
             <translation>Desliga antes</translation>
         </message>
         <message>
+            <source>Torch table</source>
+            <translation>Mesa de maçarico</translation>
+        </message>
+        <message>
             <source>Torque at speed</source>
             <translation>Torque por rotação</translation>
         </message>
@@ -10225,6 +10289,10 @@
         <message>
             <source>U-bracket</source>
             <translation>Suporte em U</translation>
+        </message>
+        <message>
+            <source>USB board</source>
+            <translation>Placa USB</translation>
         </message>
         <message>
             <source>Unfinished job…</source>
@@ -10567,12 +10635,24 @@
             <translation>Largura do rasgo</translation>
         </message>
         <message>
+            <source>Width per pass</source>
+            <translation>Largura por passe</translation>
+        </message>
+        <message>
             <source>Wing rib: out of foam by a hot wire</source>
             <translation>Nervura de asa: de espuma, por fio quente</translation>
         </message>
         <message>
             <source>Wire cut</source>
             <translation>Corte com fio</translation>
+        </message>
+        <message>
+            <source>Wire table</source>
+            <translation>Mesa de fio quente</translation>
+        </message>
+        <message>
+            <source>Without its angle it counts as flat. Between its sides:</source>
+            <translation>Sem o ângulo ela conta como reta. Entre os lados:</translation>
         </message>
         <message>
             <source>Work</source>
@@ -10731,10 +10811,6 @@
             <translation>ativo em baixo</translation>
         </message>
         <message>
-            <source>ae, recalculated to whole passes</source>
-            <translation>ae, recalculada para passes inteiros</translation>
-        </message>
-        <message>
             <source>all</source>
             <translation>todas</translation>
         </message>
@@ -10793,10 +10869,6 @@
         <message>
             <source>any</source>
             <translation>qualquer</translation>
-        </message>
-        <message>
-            <source>ap, recalculated to whole passes</source>
-            <translation>ap, recalculada para passes inteiros</translation>
         </message>
         <message>
             <source>applies a given tool length</source>
@@ -12160,7 +12232,7 @@
         </message>
         <message>
             <source>{0}, restart</source>
-            <translation>{0}, reinício</translation>
+            <translation>{0}, retomada</translation>
         </message>
         <message>
             <source>{0}. Now {1}</source>

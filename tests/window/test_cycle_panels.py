@@ -20,7 +20,7 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.features.catalogue import OPERATIONS
-from CNCStepper.workbench.panels.tool_field import tool_words
+from CNCStepper.workbench.panels.tools.tool_words import tool_words
 from CNCStepper.workbench.proving.proof_process import ProofRun
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 from typing import Any
 
@@ -15,6 +16,7 @@ from test_dock import LONGEST_MS, D, dock, own_sessions, start_button, zeroed  #
 from CNCStepper.control.session.files import read_private, running_services
 from CNCStepper.workbench import api
 from CNCStepper.workbench.dock import virtual_controller
+from CNCStepper.workbench.dock.views.widgets import BREAK
 from window_helpers.hand import Hand
 
 R = "CNCStepper_Restart_"
@@ -140,6 +142,18 @@ def machines(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     return started
 
 
+def go_on_from_the_lost_link(hand: Hand) -> None:
+    """The message of the lost link is plain, and its own button shows how far the job came."""
+    hand.wait(lambda: hand.exists(f"{D}GoOn"), START_S, "the way on")
+    sentence = hand.text(f"{D}StateSentence").replace(BREAK, "")
+    assert not re.search(r"Errno|socket://|\[[a-z-]+\]", sentence), sentence
+    hand.shot("dock-way-on")
+    hand.click(f"{D}GoOn")
+    hand.wait(lambda: hand.exists(f"{R}said"), START_S, "what the journal tells")
+    hand.main(FreeCADGui.Control.closeDialog)
+    hand.wait(lambda: not hand.exists(f"{R}panel"), 10, "the restart to close")
+
+
 @pytest.mark.parametrize(("lose", "how"), [(kill_the_desk, "Killed"), (cut_the_link, "Failed")])
 def test_a_job_that_was_lost_is_offered_and_restarted_once_the_zero_is_set(
     hand: Hand,
@@ -160,6 +174,7 @@ def test_a_job_that_was_lost_is_offered_and_restarted_once_the_zero_is_set(
     hand.wait(lambda: dock.link.status and dock.link.status.acknowledged > 140, 60, "cuts that the journal knows of")
     lose(machines)
     hand.wait(lambda: hand.text(f"{D}State") == "Connection lost", 30)
+    go_on_from_the_lost_link(hand)
     hand.click(f"{D}Cancel")
     hand.click(f"{D}Connect")
     hand.wait(lambda: hand.exists(f"{D}Offer"), START_S, "the offer")

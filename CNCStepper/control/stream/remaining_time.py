@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The remaining time of a job: its planned times, corrected by the time that its lines took."""
+"""The remaining time of a job: its planned times, corrected by the time that its lines took.
+
+What is shown never rises in steady cutting. Where the estimate lies above it, the shown clock goes slower, so that both
+reach zero together; it follows at once an estimate that lies below, and one of another pace.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +13,7 @@ from collections.abc import Sequence
 from CNCStepper.control.session.job_phase import STANDING
 
 TRUSTED_S = 5.0  # of planned time that must lie behind before the measured ratio counts wholly
+OTHER_PACE = 1.5  # an estimate so many times the shown time is another pace (an override, a slower machine)
 
 
 class Remaining:
@@ -28,14 +33,17 @@ class Remaining:
         self._moved_s = 0.0  # of that, when the last line was seen done
         self._last_s: float | None = None
         self._share_of_lines = 0.0
+        self._shown_s: float | None = None
 
     def take(self, phase: str, elapsed_s: float, file_line: int, done: int, total: int) -> None:
         """Note a time at which `done` lines were cut, the last being `file_line` of the file.
 
         Time during which the machine was seen held does not count as cutting.
         """
+        moved_s = 0.0
         if phase not in STANDING or self._last_s is None:
-            self._moving_s += max(elapsed_s - (self._last_s or 0.0), 0.0)
+            moved_s = max(elapsed_s - (self._last_s or 0.0), 0.0)
+            self._moving_s += moved_s
         self._last_s = elapsed_s
         place = bisect_right(self._lines, file_line)
         before = self.done
@@ -44,6 +52,15 @@ class Remaining:
         self._share_of_lines = done / total if total else 0.0
         if self.done != before:
             self._moved_s = self._moving_s
+        self._show(moved_s)
+
+    def _show(self, moved_s: float) -> None:
+        """Let the shown time go on by the time that the machine has moved."""
+        shown_s, estimate_s = self._shown_s, self.estimate_s
+        if shown_s is None or estimate_s is None or not shown_s < estimate_s <= OTHER_PACE * shown_s:
+            self._shown_s = estimate_s
+        else:
+            self._shown_s = shown_s - min(moved_s * shown_s / (estimate_s + moved_s), shown_s)
 
     @property
     def ratio(self) -> float:
@@ -55,7 +72,12 @@ class Remaining:
 
     @property
     def remaining_s(self) -> float | None:
-        """The remaining time; None while it is unknown."""
+        """The remaining time as it is shown; None while it is unknown."""
+        return self._shown_s
+
+    @property
+    def estimate_s(self) -> float | None:
+        """The remaining time as measured now; None while it is unknown."""
         if self._planned_s:
             under_way_s = min(self._moving_s - self._moved_s, (self._next_s - self._behind_s) * self.ratio)
             return (self._planned_s - self._behind_s) * self.ratio - under_way_s

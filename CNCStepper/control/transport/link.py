@@ -37,6 +37,7 @@ SLICE_S = 0.001  # how long a port that cannot be waited on sleeps between two l
 BUSY = (errno.EBUSY, errno.EAGAIN)
 FORBIDDEN = (errno.EACCES, errno.EPERM)
 PARALLEL_PORT = re.compile(r"/dev/(parport|lp)[0-9]+$")
+ERROR_NUMBER = re.compile(r"\[(?:Errno|WinError) -?\d+\] ?")
 NETWORK = ("socket://", "telnet://", "rfc2217://")
 
 
@@ -158,9 +159,14 @@ class Link:
         self._is_lost = True
         return LinkError(
             "link-lost",
-            Text("the link to {name} broke: {error}", name=self.name, error=printable(str(error))),
+            Text("the link to {name} broke: {error}", name=self.name, error=cause_of(error)),
             advice="check cable and power; home the machine or set its zero again before the next cut",
         )
+
+
+def cause_of(error: Exception) -> str:
+    """Return what the operating system says of a failed port, without its number."""
+    return printable(ERROR_NUMBER.sub("", getattr(error, "strerror", None) or str(error)))
 
 
 def open_link(name: str, baud: int = BAUD, machine: str = "") -> Link:

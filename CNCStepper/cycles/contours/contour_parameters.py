@@ -156,7 +156,7 @@ class EngraveParameters(Parameters):
     offset_mm: Annotated[tuple[Coordinate, Coordinate], OFFSET] = (0.0, 0.0)
     depth_mm: Annotated[Depth, replace(DEPTH, new=1.0)]
     stepdown_mm: Annotated[
-        DepthOr0, replace(STEPDOWN, help="The depth of one pass at most; 0: all at once", new=None)
+        DepthOr0, replace(STEPDOWN, help="Stepdown (ap): the depth of one pass at most; 0: all at once", new=None)
     ] = 0.0  # fmt: skip
     closed: Annotated[bool, Parameter("", "", "Whether each line must end where it begins")]
     simplify_mm: Annotated[

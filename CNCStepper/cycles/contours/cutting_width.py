@@ -12,14 +12,14 @@ from __future__ import annotations
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_profile import form_of
-from CNCStepper.machine.tools.tool_shapes import BEAMS
+from CNCStepper.machine.tools.tool_shapes import BEAMS, SIDEWAYS
 
 KERF_SHARE = 0.1  # of its width: wear and run-out make a rotating tool's cut no more narrower or wider than this
 
 
 def require_contour_tool(tool: Tool) -> None:
     """Raise CycleError for a tool that cannot cut with its side."""
-    if tool.shape == "drill":
+    if tool.shape not in SIDEWAYS:
         raise CycleError(
             "tool-shape", "a drill cannot cut along a contour", advice="use a mill, an engraver, a jet or a wire"
         )

@@ -23,9 +23,9 @@ from CNCStepper.cycles.passes import require_few_blocks
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_profile import Form, form_of
+from CNCStepper.machine.tools.tool_shapes import SUITED
 from CNCStepper.toolpath import TableBuilder
 
-SHAPES = ("drill", "flat", "v", "engraver")
 STEPS = 8  # that stand for the cone of a point
 
 
@@ -52,7 +52,7 @@ class Drill(DrillParameters, BaseModel):
 
     def _check(self, setup: Setup) -> None:
         tool = setup.tool
-        if tool.shape not in SHAPES:
+        if tool.shape not in SUITED["drill"]:
             raise CycleError(
                 "tool-shape",
                 Text("a {tool_shape} tool does not drill", tool_shape=tool.shape),

@@ -165,7 +165,11 @@ class BoreParameters(HoleParameters):
     pitch_mm: Annotated[Width, Parameter(CUT, "Pitch", "How far one turn of the helix falls", 1.0)]
     stepover_mm: Annotated[
         WidthOr0,
-        replace(STEPOVER, help="Between neighbouring helices at most; 0: 0.4 of the tool's diameter", new=None),
+        replace(
+            STEPOVER,
+            help="Stepover (ae): between neighbouring helices at most; 0: 0.4 of the tool's diameter",
+            new=None,
+        ),
     ] = 0.0
     finish_stepover_mm: Annotated[WidthOr0, replace(FINISH_STEPOVER, new=None)] = 0.0
     finish_feed_mm_min: Annotated[FeedOr0, FINISH_FEED] = 0.0

@@ -31,9 +31,9 @@ from CNCStepper.cycles.passes import require_few_blocks, whole_steps
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.machine.tools.tool_profile import form_of
+from CNCStepper.machine.tools.tool_shapes import SUITED
 from CNCStepper.toolpath import TableBuilder
 
-SHAPES = ("flat", "v", "engraver")
 DEPTH_INSIDE, DEPTH_OUTSIDE = 1.0825, 1.2269  # of the pitch, in diameter: ISO 68-1, D1 and d3
 NARROWEST_MM = 0.01
 CLEAR_MM = 0.5  # between the tool and the boss where the lead-in begins
@@ -126,7 +126,7 @@ class Thread(ThreadParameters, BaseModel):
 
     def _check(self, setup: Setup, hole: Hole) -> None:
         tool, minor_mm = setup.tool, self.minor_mm(hole)
-        if tool.shape not in SHAPES:
+        if tool.shape not in SUITED["thread"]:
             advice = "use a thread mill, given as an engraver or as flat"
             raise CycleError(
                 "tool-shape", Text("a {tool_shape} tool mills no thread", tool_shape=tool.shape), advice=advice

@@ -20,6 +20,22 @@ OWN_KEYS = {  # the keys that say more of a shape than its diameter; no other sh
 MILLS = ("flat", "ball", "bullnose")
 BEAMS = ("jet", "wire")  # they turn no teeth and cut through
 MILLS_KEYS = {"core_diameter_mm"}
+POINTED = ("v", "engraver")
+
+FLAT_FLOOR = ("flat",)
+SIDEWAYS = tuple(shape for shape in SHAPES if shape != "drill")
+SUITED = {  # the shapes that can cut each milling cycle, those that a shop takes first at the front
+    "bore": FLAT_FLOOR,
+    "circular_pocket": FLAT_FLOOR,
+    "contour": SIDEWAYS,
+    "drill": ("drill", "flat", *POINTED),
+    "elliptical_pocket": FLAT_FLOOR,
+    "engrave": SIDEWAYS,
+    "face": FLAT_FLOOR,
+    "pocket": FLAT_FLOOR,
+    "rectangular_pocket": FLAT_FLOOR,
+    "thread": ("flat", *POINTED),
+}
 
 
 def foreign_keys(shape: str) -> set[str]:

@@ -17,8 +17,9 @@ from typing import Any
 from CNCStepper.job import request_digest
 from CNCStepper.job.deferred_fitting import Unfitted, only_looking
 from CNCStepper.machine.processes import MILLING
+from CNCStepper.machine.tools.tool_shapes import SHAPES, SUITED
 from CNCStepper.workbench.calculation import result_cache
-from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.document import default_values, targets
 from CNCStepper.workbench.document.selection import Pair, selected_drawings
 from CNCStepper.workbench.features.cycle_operation import CycleOperation as Feature
 from CNCStepper.workbench.services import missing_packages
@@ -47,17 +48,18 @@ def create(document: Any, title: str, make: Callable[[], Any]) -> None:
         raise
 
 
-def tool_for(job: Any) -> Any:
+def tool_for(job: Any, cycle: str) -> Any:
     """Return the tool with which a new operation of the job begins: a selected one, the last, or a new one.
 
-    A process with a cut chart has a tool of its own, which the chart describes.
+    It is of a shape that can cut the cycle. A process with a cut chart has a tool of its own, described by the chart.
     """
     from CNCStepper.workbench import api
 
     if job.Process != MILLING.name:
         selected = [obj for obj in targets.selected() if obj in job.Tools]
-        return next(iter(selected), None) or labelled(api.chart_tool(job), tr("Tool"))
-    return targets.tool(job) or labelled(api.add_tool(job), tr("Tool"))
+        return next(iter(selected), None) or api.chart_tool(job)
+    shapes = SUITED.get(cycle, SHAPES)
+    return targets.tool(job, shapes) or api.add_tool(job, shape=shapes[0], **default_values.tool(job))
 
 
 def labelled(obj: Any, label: str) -> Any:
@@ -117,7 +119,7 @@ class Operation(Command):
 
     def tool(self, job: Any) -> Any:
         """Return the tool with which it begins."""
-        return tool_for(job)
+        return tool_for(job, self.cycle)
 
     def values(self, job: Any, tool: Any, is_drawn: bool) -> dict[str, Any]:
         """Return the values with which the operation begins, by key."""

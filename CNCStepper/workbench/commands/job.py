@@ -39,7 +39,7 @@ def _job(document: Any) -> Any:
     from CNCStepper.workbench.viewproviders.job import previews
 
     job = labelled(api.new_job(document, **_stock()), tr("Job"))
-    labelled(api.add_tool(job), tr("Tool"))
+    api.add_tool(job)
     for preview in previews(job):
         labelled(preview, tr("Preview"))
     return job

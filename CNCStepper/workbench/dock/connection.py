@@ -19,6 +19,7 @@ from CNCStepper.workbench.dock.model.button_states import ControllerSnapshot, se
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.dock.virtual_controller import VirtualMachine
 from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.plain_words import plain
 
 
 class Link:
@@ -126,7 +127,7 @@ class Link:
         return ControllerSnapshot(
             status.phase,
             status.machine_state,
-            translated(status.message),
+            plain(translated(status.message)),
             job=status.total > 0,
             homing=status.homing,
             position_known=status.position_known,
@@ -145,4 +146,4 @@ class Link:
 
 def error_text(trouble: CNCStepperError) -> str:
     """Return the text of an error for people, without its code."""
-    return sentences(translated(trouble.what), translated(trouble.advice))
+    return plain(sentences(translated(trouble.what), translated(trouble.advice)))

@@ -35,6 +35,7 @@ from CNCStepper.workbench.proving.latest_proof import Sender
 from CNCStepper.workbench.services import messages, sounds
 from CNCStepper.workbench.services.findings_list import FindingsList
 from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.plain_words import plain
 from CNCStepper.workbench.services.sounds import BEYOND, END
 from CNCStepper.workbench.services.translation import tr
 
@@ -64,10 +65,10 @@ class Panel(KeyboardArea):
             self, self.link, self._show_findings, self.connect_chosen, self.refresh, self.by_line.isChecked
         )
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
-        self.state = StateView()
+        self.state = StateView(lambda: self.recovery.go_on())
         self.flow = FlowView(self.findings, self.sending.confirm_step, self.sending.away)
         self.file_sending = FileSending(send, lambda: self.connection.profile)
-        self.recovery = RestartOffer(self.link, send)
+        self.recovery = RestartOffer(self.link, send, self.state.show_way_on)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
         self.backing = RetractRun(self, self.link, self.log.say, self.refresh)
         self.back = RetractView(lengths, point, self.backing.go)
@@ -115,7 +116,7 @@ class Panel(KeyboardArea):
         """Take up a controller's process that a window before this one has left."""
         self.link.attach(session_file)
         self.sending.forget()
-        self.log.say("message", tr("Attached again to the controller at {0}.").format(self.link.port))
+        self.log.say("message", tr("Attached again to the controller at {0}.").format(plain(self.link.port)))
         self.refresh()
 
     def connect_chosen(self) -> None:
@@ -176,7 +177,7 @@ class Panel(KeyboardArea):
             self.console.on_message(translated(event["text"]))
         elif event["event"] in ("message", "warning", "refused") and event.get("command") not in COMMANDS:
             self.log.say(
-                event["event"], error_text(event["error"]) if event.get("error") else translated(event["text"])
+                event["event"], error_text(event["error"]) if event.get("error") else plain(translated(event["text"]))
             )
 
     def _show_status(self, status: Any, job_runs: bool) -> None:

@@ -20,6 +20,7 @@ from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.program import Program
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.plain_words import plain
 from CNCStepper.workbench.services.request_queue import RequestQueue
 from CNCStepper.workbench.services.translation import later, tr
 
@@ -66,11 +67,15 @@ class RestartOfferView(QtGui.QWidget):
 
 
 class RestartOffer:
-    """The actions of the view's two buttons; the offer is searched for after each connection."""
+    """The actions of the view's two buttons; an offer is searched for after each connection, and when it is lost.
 
-    def __init__(self, link: Link, send: Sender):
+    show_way_on: shows beside the state whether a job was cut off when the link was lost.
+    """
+
+    def __init__(self, link: Link, send: Sender, show_way_on: Callable[[bool], None]):
         self._link, self._send, self._reading = link, send, Reading()
-        self._met = False
+        self._show_way_on = show_way_on
+        self._met, self._address = False, ""
         self.view = RestartOfferView(self._restart, self._ask)
         lost = CNCStepperError("unfinished-lost", "the process that reads the last job has ended", advice="try again")
         self._questions = RequestQueue(WORKER, lost, parent=self.view)
@@ -78,14 +83,24 @@ class RestartOffer:
         self._questions.failed.connect(messages.guarded(self._failed))
 
     def advance(self) -> None:
-        """Look for an offer once for every connection; called after every poll of the link."""
-        met = self._link.moment.connected
-        if met != self._met:
-            self._met = met
+        """Look for an offer at each connection and each loss of one; called after every poll of the link."""
+        moment = self._link.moment
+        if moment.busy:
+            self._show_way_on(False)
+        if moment.connected != self._met:
+            self._met = moment.connected
+            self._address = self._link.address or self._address
             self.view.show_offer("")
-            if met and not self._link.moment.job_runs:
-                self._reading.ask(partial(unfinished_at, self._link.address), self._offer)
+            self._show_way_on(False)
+            if self._met and not moment.job_runs:
+                self._reading.ask(partial(unfinished_at, self._address), self._offer)
+            elif moment.phase == "gone":
+                self._reading.ask(partial(unfinished_at, self._address), self._offer_way_on)
         self._reading.poll()
+
+    def go_on(self) -> None:
+        """Open the restart of the job that the lost link has cut off."""
+        self._ask_about(self._address)
 
     def _restart(self) -> None:
         """Choose the restart of the program that is in front."""
@@ -104,10 +119,15 @@ class RestartOffer:
 
     def _ask(self) -> None:
         """Ask for the job that did not end, of this machine where there is one."""
+        self._ask_about(self._link.address if self._met else "")
+
+    def _ask_about(self, port: str) -> None:
         self._questions.end()  # the newest question counts
         self.view.show_offer(tr("The path of the last job is read…"))
-        port, programs = self._link.address if self._met else "", [obj.Program for obj in _programs() if obj.Program]
-        self._questions.ask({"port": port, "programs": programs})
+        self._questions.ask({"port": port, "programs": [obj.Program for obj in _programs() if obj.Program]})
+
+    def _offer_way_on(self, story: JobReplay | None) -> None:
+        self._show_way_on(story is not None and not self._link.moment.connected)
 
     def _offer(self, story: JobReplay | None) -> None:
         if story is not None:
@@ -129,7 +149,7 @@ class RestartOffer:
 
     def _take_up(self, job: dict[str, Any]) -> None:
         """Say what is certain of a job, and open its restart where its program is in an open document."""
-        said = [(tr(NAMES[name]), translated(text)) for name, text in job["told"]]
+        said = [(tr(NAMES[name]), plain(translated(text))) for name, text in job["told"]]
         program = program_of(job["sha256"], ((obj, program_file.load(obj)) for obj in _programs()))
         if program is None:
             text = tr("{0} was not cut to its end, and no open document has the program that was sent.")

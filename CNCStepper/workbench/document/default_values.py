@@ -3,7 +3,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
+
+from CNCStepper.machine.processes import MILLING
+from CNCStepper.workbench.features.base import entry_of, value_of
 
 MARGIN_MM = 10.0  # of stock around a drawing
 HEIGHT_MM = 20.0
@@ -15,6 +19,7 @@ ENGRAVING_MM = 1.0
 FACED_MM = 0.5
 SHARE_BORED = 2.0  # of the tool's diameter: a bore
 SHARE_FACING = 0.6  # of the tool's diameter: the stepover of a facing
+FEEDS = ("feed_mm_min", "plunge_mm_min", "spindle_rpm")
 
 
 def stock_of_solid(box: Any) -> dict[str, Any]:
@@ -25,6 +30,16 @@ def stock_of_solid(box: Any) -> dict[str, Any]:
 def stock_of_drawing(box: Any) -> dict[str, Any]:
     """Return the job's values for a stock with a margin around a drawing, which lies on its top."""
     return _stock(box, (box.XLength + 2 * MARGIN_MM, box.YLength + 2 * MARGIN_MM, HEIGHT_MM))
+
+
+def stock_around(box: Any, job: Any) -> dict[str, Any]:
+    """Return the job's values for a box of stock around a drawing: as thick as its stock is, its zero where it was."""
+    x_mm, y_mm = box.Center.x, box.Center.y
+    if job.StockOrigin != "top-centre":
+        x_mm, y_mm = box.XMin - MARGIN_MM, box.YMin - MARGIN_MM
+    size_mm = (box.XLength + 2 * MARGIN_MM, box.YLength + 2 * MARGIN_MM, job.StockSize[2])
+    origin_mm = (x_mm, y_mm, job.WorkOrigin[2])
+    return {"stock_form": "box", "stock_size_mm": _rounded(size_mm), "work_origin_mm": _rounded(origin_mm)}
 
 
 def pocket(stock_mm: tuple[float, float, float], origin: str, diameter_mm: float, drawn: bool) -> dict[str, Any]:
@@ -85,6 +100,25 @@ def half_deep(stock_mm: tuple[float, float, float]) -> dict[str, Any]:
 def engraving(stock_mm: tuple[float, float, float]) -> dict[str, Any]:
     """Return the values of an engraving that stays within the stock."""
     return {"depth_mm": min(ENGRAVING_MM, stock_mm[2] / 2), "order": "short"}
+
+
+def tool(job: Any) -> dict[str, Any]:
+    """Return the values of a new tool: its feeds are those of the job's material, where it has one."""
+    return dict.fromkeys(FEEDS, 0.0) if job.Process == MILLING.name and job.Material else {}
+
+
+def untyped_feeds(tool: Any, job: Any) -> dict[str, float]:
+    """Return the feeds and speed to give to a tool whose job has got another material, or none.
+
+    Nobody has typed a value that is 0 or a new tool's: the material gives it (0), without one a new tool's counts.
+    """
+    if job.Process != MILLING.name or tool.FromChart:
+        return {}
+    entries = [entry_of(tool.Proxy, key) for key in FEEDS]
+    present = {entry.key: float(value_of(tool, entry)) for entry in entries}
+    wanted = {entry.key: 0.0 if job.Material else float(entry.default) for entry in entries}
+    untyped = (entry for entry in entries if any(math.isclose(present[entry.key], x) for x in (0.0, entry.default)))
+    return {entry.key: wanted[entry.key] for entry in untyped if present[entry.key] != wanted[entry.key]}
 
 
 def _stock(box: Any, size_mm: tuple[float, float, float]) -> dict[str, Any]:

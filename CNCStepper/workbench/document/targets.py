@@ -6,6 +6,7 @@ All of it is asked several times a second, so nothing here computes or loads.
 
 from __future__ import annotations
 
+from collections.abc import Container
 from typing import Any
 
 from CNCStepper.workbench.document.selection import members
@@ -111,10 +112,10 @@ def why_no_panel() -> str:
     return tr("Close the open task panel first") if FreeCADGui.Control.activeDialog() else ""
 
 
-def tool(of_job: Any) -> Any:
-    """Return the job's tool that is selected, else its last one, None when it has none."""
-    tools = list(of_job.Tools)
-    return next((obj for obj in selected() if obj in tools), tools[-1] if tools else None)
+def tool(of_job: Any, shapes: Container[str]) -> Any:
+    """Return the job's tool of one of some shapes that is selected, else its last such one, None when it has none."""
+    suited = [each for each in of_job.Tools if each.ToolShape in shapes]
+    return next((obj for obj in selected() if obj in suited), suited[-1] if suited else None)
 
 
 def drawing() -> Any:

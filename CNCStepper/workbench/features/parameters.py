@@ -29,14 +29,14 @@ TYPES = {int: INTEGER, bool: BOOL, str: TEXT}
 RESULT = later("In whole passes")
 MADE = later("Result")
 LEVELS = (
-    Property("ap_mm", "StepdownUsed", DISTANCE, RESULT, later("Stepdown ap"),
-             later("ap, recalculated to whole passes"), 0.0, output=True),
+    Property("ap_mm", "StepdownUsed", DISTANCE, RESULT, later("Depth per pass"),
+             later("Stepdown (ap), recalculated to whole passes"), 0.0, output=True),
     Property("levels", "Levels", INTEGER, RESULT, later("Levels"), later("How many passes in depth"), 0, output=True),
 )  # fmt: skip
 PASSES = (
     *LEVELS,
-    Property("ae_mm", "StepoverUsed", DISTANCE, RESULT, later("Stepover ae"),
-             later("ae, recalculated to whole passes"), 0.0, output=True),
+    Property("ae_mm", "StepoverUsed", DISTANCE, RESULT, later("Width per pass"),
+             later("Stepover (ae), recalculated to whole passes"), 0.0, output=True),
     Property("passes", "Passes", INTEGER, RESULT, later("Passes"), later("How many passes at each depth"), 0,
              output=True),
 )  # fmt: skip

@@ -16,9 +16,15 @@ from CNCStepper.workbench.panels.drawing_fields import DrawingField, DrawingsFie
 from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.panels.point_list_field import PointsField
 from CNCStepper.workbench.panels.task_panel import Panel
-from CNCStepper.workbench.panels.tool_field import ToolField
+from CNCStepper.workbench.panels.tools.tip_angle_field import TipAngleField
+from CNCStepper.workbench.panels.tools.tool_field import ToolField
 
-KINDS = {"tool": ToolField, "mark_drawings": MarksField, "pattern_points_mm": PointsField}
+KINDS = {
+    "tool": ToolField,
+    "mark_drawings": MarksField,
+    "pattern_points_mm": PointsField,
+    "tip_angle_deg": TipAngleField,
+}
 RARE = (FINISH, PATH, TABS, LEADS, RULES)  # groups of operations
 FREEHAND = "CNCStepper_Freehand"
 DRAWING = "CNCStepper_Drawing"

@@ -27,6 +27,7 @@ BY_CODE = {  # of errors that speak of several keys
     "chart-consumable": "consumable",
     "chart-feed": "feed_mm_min",
     "process-machine": "process",
+    "tool-shape": "tool",
     "font-unknown": "font",
     "font-style": "style",
     "text-glyph": "text",
@@ -166,8 +167,8 @@ def beyond(obj: Any, changes: dict[str, Any], shown: Callable[[str, float], str]
     return {key: Refused(SENTENCES[limit.reason], shown(key, limit.most)) for key, limit in passed.items()}
 
 
-def stock_warnings(obj: Any) -> list[str]:
-    """Return the sentences for an operation with the values that it has now, the worst first.
+def stock_findings_of(obj: Any) -> list[Any]:
+    """Return the findings for an operation in its stock with the values that it has now, the worst first.
 
     None for what is no operation, belongs to no job, or is refused for another reason, which its panel says.
     """
@@ -177,10 +178,9 @@ def stock_warnings(obj: Any) -> list[str]:
         return []
     from CNCStepper.job.stock_fit import stock_findings
     from CNCStepper.workbench.document.stock_of_job import stock_of
-    from CNCStepper.workbench.services.findings_list import sentence
 
     try:
         cycle = obj.Proxy.cycle(obj, tuple(jobs[0].WorkOrigin))
-        return [sentence(finding) for finding in stock_findings(cycle, stock_of(jobs[0]))]
+        return stock_findings(cycle, stock_of(jobs[0]))
     except CNCStepperError:  # the panel says it beside its field
         return []

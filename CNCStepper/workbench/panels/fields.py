@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from PySide import QtCore, QtGui
@@ -20,6 +22,7 @@ from CNCStepper.workbench.help.f1_key import set_key
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.panels.unit_values import measure_of, text_of, value_of_text, whole_of_text
 from CNCStepper.workbench.services.choice_labels import words_of
+from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Panel"
@@ -31,6 +34,49 @@ AXES = "XYZ"
 SEEN_AFTER_MS = 300  # what takes less is not worth a flicker
 WORK_BAR_PX = 4
 GAP_PX = 2  # above and below a field
+
+
+@dataclass(frozen=True)
+class Remedy:
+    """A button: its name, its text in the person's language, and what it does."""
+
+    name: str
+    text: str
+    act: Callable[[], Any]
+
+
+class RemedyBar(QtGui.QWidget):
+    """The buttons of remedies below each other; hidden while there is none."""
+
+    def __init__(self, parent: Any):
+        super().__init__(parent)
+        self._column = QtGui.QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(2)
+        self._shown: list[tuple[str, str]] = []
+        self._acts: dict[str, Callable[[], Any]] = {}
+        self.hide()
+
+    def show_remedies(self, remedies: Sequence[Remedy]) -> None:
+        """Show these buttons in place of the ones before; a button that stays is not made anew under the pointer."""
+        self._acts = {remedy.name: remedy.act for remedy in remedies}
+        texts = [(remedy.name, remedy.text) for remedy in remedies]
+        if texts != self._shown:
+            self._shown = texts
+            while self._column.count():
+                self._column.takeAt(0).widget().deleteLater()
+            for name, text in texts:
+                self._column.addWidget(self._button(name, text))
+        self.setVisible(bool(texts))
+
+    def _button(self, name: str, text: str) -> Any:
+        button = QtGui.QPushButton(text, self)
+        button.setObjectName(f"{NAME}_remedy_{name}")
+        button.setToolTip(text)
+        button.setMinimumWidth(1)
+        button.setAutoDefault(False)
+        button.clicked.connect(guarded(lambda: self._acts[name]()))
+        return button
 
 
 class WorkNote(QtGui.QWidget):
@@ -95,6 +141,7 @@ class Field(QtCore.QObject):
         self.obj = obj
         self.entry = entry
         self.edited = False  # what stands here is not yet in the object
+        self._mends: RemedyBar | None = None  # made at the first need: few fields show one
         self.widget = QtGui.QWidget(parent)
         self.label = QtGui.QLabel(tr(entry.label), parent)
         self.label.setContentsMargins(0, GAP_PX, 0, GAP_PX)
@@ -142,15 +189,24 @@ class Field(QtCore.QObject):
         """Return whether the value counts with the object's others."""
         return "Hidden" not in self.obj.getEditorMode(self.entry.name)
 
+    def asks(self) -> bool:
+        """Return whether a value is missing that a person should give: its group is then unfolded."""
+        return False
+
     def show(self, seen: bool) -> None:
         """Let the field and its label be seen, or not."""
         for part in (self.label, self.widget):
             part.setVisible(seen)
 
-    def mark(self, sentence: str) -> None:
-        """Say below the field what is wrong with it; "" takes it back."""
+    def mark(self, sentence: str, remedies: Sequence[Remedy] = ()) -> None:
+        """Say below the field what is wrong with it, with the remedies as buttons; "" takes it back."""
         self.note.setText(sentence)
         self.note.setVisible(bool(sentence))
+        if remedies and self._mends is None:
+            self._mends = RemedyBar(self.widget)
+            self._column.addWidget(self._mends)
+        if self._mends is not None:
+            self._mends.show_remedies(remedies)
         for editor in self.editors:
             # by its name: else the list that it opens, and its tooltip, would have the frame too
             editor.setStyleSheet(f"#{editor.objectName()} {{ {FRAME} }}" if sentence else "")

@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.features.base import INTEGER, NUMBERS, Property, value_of
-from CNCStepper.workbench.panels.fields import GAP_PX, NAME, Field, field_class
+from CNCStepper.workbench.panels.fields import GAP_PX, NAME, Field, Remedy, field_class
 from CNCStepper.workbench.panels.unit_values import text_of
 from CNCStepper.workbench.services.translation import tr
 
@@ -88,6 +89,8 @@ class Form(QtGui.QWidget):
         """Show the object's values and results."""
         for field in self.fields.values():
             field.refresh()
+            if field.asks():
+                self._unfold(field)
         self._hide_empty_boxes()
         for key, label in self.results.items():
             entry = next(entry for entry in self.obj.Proxy.PROPERTIES if entry.key == key)
@@ -100,10 +103,13 @@ class Form(QtGui.QWidget):
             if counting and not (title in self._always or box.isHidden() == (not any(counting))):
                 box.setVisible(any(counting))
 
-    def mark(self, key: str, sentence: str) -> None:
-        """Say below a field what is wrong; its group is opened."""
-        self.fields[key].mark(sentence)
-        box = self.boxes[self.fields[key].entry.group]
+    def mark(self, key: str, sentence: str, remedies: Sequence[Remedy] = ()) -> None:
+        """Say below a field what is wrong, with the remedies as buttons; its group is opened."""
+        self.fields[key].mark(sentence, remedies)
+        self._unfold(self.fields[key])
+
+    def _unfold(self, field: Field) -> None:
+        box = self.boxes[field.entry.group]
         if box.body.isHidden():
             box.fold(False)
 

@@ -7,9 +7,10 @@ from typing import Any
 
 from PySide import QtGui
 
-from CNCStepper.workbench.document.default_values import stock_of_drawing, stock_of_solid
+from CNCStepper.workbench.document.default_values import stock_of_drawing, stock_of_solid, untyped_feeds
 from CNCStepper.workbench.document.stock_of_job import CYLINDER
 from CNCStepper.workbench.drawings.shapes import box_round, round_box
+from CNCStepper.workbench.features.base import edit
 from CNCStepper.workbench.features.cut_values import CHART
 from CNCStepper.workbench.features.cycle_operation import linked_drawings
 from CNCStepper.workbench.features.job import HEIGHTS
@@ -22,7 +23,8 @@ from CNCStepper.workbench.panels.job_lists import ClampList, ObjectList
 from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.panels.process_fields import PROCESS_KINDS, ChartNote, MachineField, tool_hidden
 from CNCStepper.workbench.panels.program_job_panel import ProgramJobPanel
-from CNCStepper.workbench.panels.tool_field import ShapeField
+from CNCStepper.workbench.panels.tools.tip_angle_field import TipAngleField
+from CNCStepper.workbench.panels.tools.tool_field import ShapeField
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr
@@ -55,6 +57,7 @@ class StockSizeField(VectorField):
         super().refresh()
 
 
+TOOL_KINDS = {"shape": ShapeField, "tip_angle_deg": TipAngleField}
 KINDS = {
     **PROCESS_KINDS,
     "machine": MachineField,
@@ -68,6 +71,7 @@ class JobPanel(ProgramJobPanel):
 
     def __init__(self, job: Any):
         self.process = job.Process  # for which the tool's editor was made
+        self.material = job.Material  # for which the tools have their feeds
         super().__init__(job, KINDS, FOLDED, HIDDEN)
 
     def add_own_parts(self) -> None:
@@ -87,16 +91,30 @@ class JobPanel(ProgramJobPanel):
 
     def tool_form(self, tool: Any) -> Editor:
         """Return the editor of a tool, with the forms that the process has."""
-        return Editor(tool, {"shape": ShapeField}, (FORM, LIMITS), tool_hidden(self.job), self.tools)
+        return Editor(tool, TOOL_KINDS, (FORM, LIMITS), tool_hidden(self.job), self.tools)
 
     def follow_process(self) -> None:
         """Show what the chart says, and the marked tool anew where the process was changed."""
         self.chart_note.refresh()
+        if self.job.Material != self.material:
+            self.material = self.job.Material
+            self.give_feeds()
         if self.job.Process != self.process:
             self.process = self.job.Process
             self.tools.refresh()
             self.drop_tool()
             self.show_tool()
+
+    def give_feeds(self) -> None:
+        """Let the material's feeds count for all tools whose own nobody has typed."""
+        changes = {tool: untyped_feeds(tool, self.job) for tool in self.job.Tools}
+        for tool, values in changes.items():
+            if values:
+                edit(tool, **values)
+        if any(changes.values()):
+            self.remake()
+            for editor in self.editors[1:]:
+                editor.remake()
 
     def fit_stock(self) -> None:
         """Put the stock around what is selected, or around all drawings of the operations."""

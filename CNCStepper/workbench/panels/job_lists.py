@@ -10,10 +10,11 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.workbench import api
+from CNCStepper.workbench.document import default_values
 from CNCStepper.workbench.document.clamps import outline_of
 from CNCStepper.workbench.features.base import edit, problem_of, proxy_type
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, note_label
-from CNCStepper.workbench.panels.tool_field import tool_words
+from CNCStepper.workbench.panels.tools.tool_words import tool_words
 from CNCStepper.workbench.services.icons import icon
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
@@ -163,9 +164,14 @@ class ToolList(ObjectList):
         """Return a tool's number, diameter and form."""
         return tool_words(obj)
 
+    def picture(self, obj: Any) -> Any:
+        """Return the icon of a tool's shape, as the tree has it."""
+        return icon(obj.ViewObject.Proxy.icon_name())
+
     def add(self) -> None:
         """Add a tool with the next free number, and mark it."""
-        tool = api.add_tool(self.job)
+        is_cutter = self.job.Proxy.TOOL == CUTTER
+        tool = api.add_tool(self.job, **(default_values.tool(self.job) if is_cutter else {}))
         self.say("")
         self.refresh()
         self.choose(tool)

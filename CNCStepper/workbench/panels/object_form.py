@@ -25,11 +25,20 @@ from CNCStepper.workbench.calculation.recompute import remake, steps
 from CNCStepper.workbench.features.base import FAILED, STALE, edit, named, problem_of, proxy_type, values
 from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.help.topics import object_address
-from CNCStepper.workbench.panels.field_errors import beyond, complaints, key_of, labelled, model_of_type, stock_warnings
-from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, Field, note_label
+from CNCStepper.workbench.panels import remedies
+from CNCStepper.workbench.panels.field_errors import (
+    beyond,
+    complaints,
+    key_of,
+    labelled,
+    model_of_type,
+    stock_findings_of,
+)
+from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, Field, RemedyBar, note_label
 from CNCStepper.workbench.panels.form import Form
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.panels.unit_values import text_of
+from CNCStepper.workbench.services.findings_list import sentence
 from CNCStepper.workbench.services.jit_guard import LONG, WAITS
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
@@ -78,7 +87,9 @@ class Editor(QtGui.QWidget):
         self._taken: dict[str, Any] = {}  # what a button has found, and is not written yet
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        for widget in (self.of_stock, self.form, self.warnings, self.problem):
+        self.mends = {name: RemedyBar(self) for name in ("stock", "warnings", "refusal")}
+        order = (self.of_stock, "stock", self.form, self.warnings, "warnings", self.problem, "refusal")
+        for widget in (self.mends[part] if isinstance(part, str) else part for part in order):
             column.addWidget(widget)
         self._gone = gone = [False]  # FreeCAD may close the panel without OK or Cancel, as it does with a document
         self.destroyed.connect(lambda: gone.__setitem__(0, True))
@@ -119,6 +130,7 @@ class Editor(QtGui.QWidget):
             return
         begun_s = time.thread_time()
         self.form.unmark()
+        self.mends["refusal"].show_remedies(())
         changes = {**self._taken, **self._accepted(self._read())}
         tried = {key: value for key, value in changes.items() if self.form.fields[key].differs(value)}
         if self.waiting and tried == self._asked:
@@ -217,7 +229,10 @@ class Editor(QtGui.QWidget):
     def refresh(self) -> None:
         """Show the object's present values."""
         self.form.refresh()
-        self._say(self.warnings, "\n".join(map(self._labelled, getattr(self.obj.Proxy, "warnings", ()))))
+        warnings = getattr(self.obj.Proxy, "warnings", ())
+        self._say(self.warnings, "\n".join(map(self._labelled, warnings)))
+        mends = remedies.of_feeds(self.obj, self.remake) if warnings else []
+        self.mends["warnings"].show_remedies(mends)
 
     def _typed(self) -> None:
         """Apply what is typed when the keys pause; who has pressed OK before wants to see it."""
@@ -271,11 +286,13 @@ class Editor(QtGui.QWidget):
     def _tell(self, error: CNCStepperError, changed: list[str]) -> None:
         """Say an error beside the field that it speaks of, or at the bottom."""
         key = key_of(error, changed) or key_of(error, self.form.fields)
-        sentence = self._labelled(error.sentence)
+        words = self._labelled(error.sentence)
+        mends = remedies.of_refusal(self.obj, error, self.take)
         if key:
-            self.form.mark(key, sentence)
+            self.form.mark(key, words, mends)
         else:
-            self._say(self.problem, sentence)
+            self._say(self.problem, words)
+            self.mends["refusal"].show_remedies(mends)
 
     def _labelled(self, sentence: str) -> str:
         """Return what the core says in the user's language, with the labels of the fields in place of their keys."""
@@ -297,7 +314,10 @@ class Editor(QtGui.QWidget):
 
     def _warn_of_stock(self) -> None:
         """Say what the values that stand in the object do not fit the stock; the cut may take long."""
-        self._say(self.of_stock, "\n".join(stock_warnings(self.obj)))
+        findings = stock_findings_of(self.obj)
+        self._say(self.of_stock, "\n".join(map(sentence, findings)))
+        beyond_stock = [(finding.code, finding.limit) for finding in findings]
+        self.mends["stock"].show_remedies(remedies.of_stock(self.obj, beyond_stock, self.take, self.remake))
 
     def _recompute(self) -> None:
         remake(self.obj.Document)

@@ -93,7 +93,7 @@ class MachineField(FileField):
         """Return the profiles that ship and the user's own, by their names."""
         from CNCStepper.machine.own_profiles import label_of, profiles
 
-        return [(profile.name, label_of(profile.name)) for profile in profiles()]
+        return [(profile.name, label_of(profile.name, words_of)) for profile in profiles()]
 
     def touched(self) -> None:
         """Take the chosen profile, with a process that it can do."""

@@ -22,7 +22,7 @@ from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.panels.process_fields import MachineField
 from CNCStepper.workbench.panels.program_job_panel import ProgramJobPanel
 from CNCStepper.workbench.panels.task_panel import Panel
-from CNCStepper.workbench.panels.tool_field import ToolField
+from CNCStepper.workbench.panels.tools.tool_field import ToolField
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.icons import picture_painter
 from CNCStepper.workbench.services.translation import later, tr

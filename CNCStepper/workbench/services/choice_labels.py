@@ -157,13 +157,28 @@ CUT_WORDS = {
     "front": later("front"),
     "back": later("rear"),
 }
+MACHINE_WORDS = {  # the names of profiles that ship
+    name: name
+    for name in (
+        later("Cutting table A"),
+        later("Cutting table B"),
+        later("Laser table"),
+        later("Lathe with LinuxCNC"),
+        later("Mini-lathe"),
+        later("Plasma table with QtPlasmaC"),
+        later("Thesis table"),
+        later("Torch table"),
+        later("USB board"),
+        later("Wire table"),
+    )
+}
 OF_KEY = {
     ("leave", "back"): later("back along the entry"),
     ("leave", "edge"): later("to the nearest edge"),
     ("process", "turning"): later("Turning"),
     ("x_is", "diameter"): later("diameter"),
 }
-WORDS |= {**TURNING_WORDS, **PROCESS_WORDS, **CHART_WORDS, **CUT_WORDS}
+WORDS |= {**TURNING_WORDS, **PROCESS_WORDS, **CHART_WORDS, **CUT_WORDS, **MACHINE_WORDS}
 
 
 def words_of(choice: str, key: str = "") -> str:

@@ -15,6 +15,7 @@ from typing import Any
 
 from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.plain_words import plain
 from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper"
@@ -62,7 +63,7 @@ def _arguments_taken(function: Callable[..., Any]) -> int | None:
 def error(problem: BaseException) -> None:
     """Show an error and return at once; without a window it is printed."""
     if isinstance(problem, CNCStepperError):
-        _show("error", "Warning", sentence(problem), translated(problem.advice))
+        _show("error", "Warning", sentence(problem), plain(translated(problem.advice)))
         return
     import FreeCAD
 
@@ -137,7 +138,7 @@ def sentence(problem: CNCStepperError) -> str:
     value = translated(problem.value) if isinstance(problem.value, Text) else problem.value
     numbers = [part for part in (value, limit) if part]
     place = f"{problem.place}: " if problem.place else ""
-    return f"{place}{translated(problem.what)}" + (f" ({', '.join(numbers)})" if numbers else "")
+    return plain(f"{place}{translated(problem.what)}") + (f" ({', '.join(numbers)})" if numbers else "")
 
 
 def _show(

@@ -44,6 +44,7 @@ def _kind(obj: Any) -> type:
     from CNCStepper.workbench.viewproviders.operation import Operation
     from CNCStepper.workbench.viewproviders.preview import Preview
     from CNCStepper.workbench.viewproviders.program import Program
+    from CNCStepper.workbench.viewproviders.tool import Tool
 
     if isinstance(obj.Proxy, Feature):
         return Operation
@@ -53,5 +54,6 @@ def _kind(obj: Any) -> type:
         "CNCStepper_Preview": Preview,
         "CNCStepper_Program": Program,
         "CNCStepper_Drawing": Drawing,
+        "CNCStepper_Tool": Tool,
     }
     return kinds.get(proxy_type(obj), ViewProvider)

@@ -40,7 +40,11 @@ class ViewProvider:
         """Return the icon of the tree."""
         from CNCStepper.workbench.services.icons import icon
 
-        return icon(proxy_type(self.obj), self.badge())
+        return icon(self.icon_name(), self.badge())
+
+    def icon_name(self) -> str:
+        """Return the name of the icon's file."""
+        return proxy_type(self.obj)
 
     def badge(self) -> str:
         """Return what the icon says of the object's state: "Problem", "Inactive" or nothing."""

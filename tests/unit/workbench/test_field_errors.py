@@ -43,12 +43,12 @@ def test_what_is_good_or_not_in_the_form_is_not_complained_of() -> None:
 
 
 def test_a_sentence_of_the_cut_finds_its_field_and_speaks_its_label() -> None:
-    keys = {"stepdown_mm": "Stepdown ap", "stepover_mm": "Stepover ae", "finish_stepdown_mm": "Last stepdown"}
+    keys = {"stepdown_mm": "Depth per pass", "stepover_mm": "Width per pass", "finish_stepdown_mm": "Last pass: depth"}
     wide = CycleError("stepover-wide", "stepover_mm (ae) is larger than the tool")
     large = CycleError("finish-large", "finish_stepdown_mm leaves nothing to rough")
     tool = CycleError("tool-shape", "a ball tool leaves no flat floor")
     assert [key_of(error, keys) for error in (wide, large, tool)] == ["stepover_mm", "finish_stepdown_mm", ""]
-    assert labelled(large.sentence, keys) == "“Last stepdown” leaves nothing to rough"
+    assert labelled(large.sentence, keys) == "“Last pass: depth” leaves nothing to rough"
 
 
 def test_a_field_is_found_by_its_word_without_the_unit() -> None:

@@ -9,6 +9,8 @@ from pathlib import Path
 
 import pytest
 
+from CNCStepper.machine.tools.tool_shapes import SHAPES as TOOLS
+
 ROOT = Path(__file__).parents[3]
 ICONS = sorted((ROOT / "resources" / "icons").glob("*.svg"))
 SVG = "{http://www.w3.org/2000/svg}"
@@ -53,3 +55,9 @@ def test_every_command_and_every_object_has_an_icon() -> None:
     assert len(commands) == 47
     assert len(objects) == 34
     assert commands | objects | {"CNCStepper"} <= there
+
+
+def test_every_shape_of_tool_has_an_icon_of_its_own() -> None:
+    pictures = {shape: (ROOT / f"resources/icons/CNCStepper_Tool_{shape}.svg").read_text("utf-8") for shape in TOOLS}
+    drawings = {text.partition("</title>")[2] for text in pictures.values()}
+    assert len(drawings) == len(TOOLS)

@@ -18,9 +18,8 @@ from pathlib import Path
 from typing import IO, Any, Protocol
 
 from CNCStepper.control.protocol.lathe.jog_guard import JogGuard, guard_of
-from CNCStepper.control.transport.link import load_pyserial, port_refusal
+from CNCStepper.control.transport.link import cause_of, load_pyserial, port_refusal
 from CNCStepper.errors import LinkError, Text
-from CNCStepper.safe_text import printable
 
 BAUD = 9600
 BITS = 11  # of a byte on the line: start, eight data bits, parity, stop
@@ -152,6 +151,6 @@ def _recording(path: Path) -> RecordingPort:
 def _lost(name: str, error: Exception) -> LinkError:
     return LinkError(
         "link-lost",
-        Text("the link to {name} broke: {error}", name=name, error=printable(str(error))),
+        Text("the link to {name} broke: {error}", name=name, error=cause_of(error)),
         advice="the lathe finishes a move that it has begun: switch it off, then set its zero again",
     )

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from CNCStepper.workbench.services.plain_words import plain, port_of_address
 from CNCStepper.workbench.services.translation import later
 
 VIRTUAL = "virtual"
@@ -35,14 +36,14 @@ def choices(found: Iterable[tuple[str, str]], virtual_text: str, last: str = "")
     listed = [Choice(VIRTUAL, virtual_text)]
     listed += [Choice(name, text) for name, text in found]
     if last and last not in {choice.port for choice in listed}:
-        listed.append(Choice(last, last))
+        listed.append(Choice(last, plain(last)))
     return listed
 
 
 def port_of(typed: str, listed: Iterable[Choice]) -> str:
-    """Return the port that a text in the field means: that of the entry with this text, or the text itself."""
+    """Return the port that a text in the field means: that of the entry with this text, or the address or device."""
     typed = typed.strip()
-    return next((choice.port for choice in listed if choice.text == typed), typed)
+    return next((choice.port for choice in listed if choice.text == typed), port_of_address(typed))
 
 
 def needs_baud(port: str) -> bool:

@@ -25,6 +25,7 @@ from CNCStepper.workbench.dock.views.keyboard import KeyButton
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr
 
+BUTTON_PX = 24  # of a button besides its text
 DISCONNECT_FIRST = later("Disconnect first: the dock is connected to this machine.")
 
 
@@ -64,11 +65,14 @@ class ConnectionView(QtGui.QWidget):
         self.machine.setAccessibleName(tr("Machine profile"))
         self._tips = {
             self.machine: later("The profile of the machine at this port: its relays, and how it is driven"),
-            self.box: later("A serial port, or an address as socket://192.168.0.7:23"),
+            self.box: later("A serial port, or an address as 192.168.0.7:23"),
             self.baud: later("The baud rate of the serial port"),
             self.speed: later("How many times faster than a real one the virtual machine moves"),
         }
         self.button = widgets.named(KeyButton(), "Connect")
+        letters = self.button.fontMetrics()
+        widest = max(letters.boundingRect(text).width() for text in (tr("Connect"), tr("Disconnect")))
+        self.button.setMinimumWidth(widest + BUTTON_PX)  # the dock keeps its width
         self.button.clicked.connect(guarded(self._clicked))
         layout = widgets.column(self)
         layout.addWidget(self.box)

@@ -14,6 +14,7 @@ from CNCStepper.workbench.services.number_format import NOTHING, duration
 from CNCStepper.workbench.services.translation import tr
 
 PARTS = 1000  # of the progress bar
+LINES_KEPT = 2  # of text, for sentences whose figures grow
 
 
 class PauseView(QtGui.QWidget):
@@ -51,13 +52,13 @@ class JobView(QtGui.QWidget):
         self.title.setFont(widgets.caption("").font())
         self.progress = widgets.named(QtGui.QProgressBar(), "Progress")
         self.progress.setRange(0, PARTS)
-        self.lines = widgets.wrapped("Lines")
-        self.buffer = widgets.wrapped("Buffer")
+        self.lines = widgets.steady(widgets.wrapped("Lines"), LINES_KEPT)
+        self.buffer = widgets.steady(widgets.wrapped("Buffer"), LINES_KEPT)
         self.text = widgets.named(QtGui.QLabel(), "ProgramLine")
         self.text.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont))
         self.text.setTextFormat(QtCore.Qt.TextFormat.PlainText)
         self.text.setMinimumWidth(1)
-        self.elapsed, self.remaining = widgets.figure("Elapsed"), widgets.figure("Remaining")
+        self.elapsed, self.remaining = (widgets.figure(name, widest="0:00:00") for name in ("Elapsed", "Remaining"))
         times = widgets.row(QtGui.QLabel(tr("Elapsed")), self.elapsed, QtGui.QLabel(tr("Remaining")), self.remaining)
         times.insertStretch(2, 1)
         layout = widgets.column(self)
@@ -81,6 +82,6 @@ class JobView(QtGui.QWidget):
         self.buffer.setText(tr("Controller's buffer: {0} blocks and {1} bytes free").format(blocks, free_bytes))
         known = 0 < status.file_line <= len(program_lines)
         self.text.setText(program_lines[status.file_line - 1].strip() if known else "")
-        self.text.setVisible(known)
+        self.text.setVisible(bool(program_lines))  # also before the first line, and after the last: rows must not jump
         self.elapsed.setText(duration(status.elapsed_s))
         self.remaining.setText(duration(status.remaining_s))

@@ -17,6 +17,7 @@ from CNCStepper.workbench.services.translation import tr
 LARGE, SMALLEST_PT = 2.4, 9.0  # of the usual letters; in points
 LINES_KEPT = 2  # free for the sentence, so that the buttons below do not move under the pointer
 AXES = "XYZ"
+WIDEST = "-000.000"  # a position on the tables that there are
 
 
 class Headline(QtGui.QLabel):
@@ -40,9 +41,9 @@ class Headline(QtGui.QLabel):
 
 
 class StateView(QtGui.QFrame):
-    """The coloured band with the state and one sentence."""
+    """The coloured band with the state and one sentence, and below it the way on after a lost link."""
 
-    def __init__(self) -> None:
+    def __init__(self, go_on: Callable[[], object]) -> None:
         super().__init__()
         widgets.named(self, "StateBand")
         self.headline = widgets.named(Headline(), "State")
@@ -55,7 +56,15 @@ class StateView(QtGui.QFrame):
         layout.setSpacing(2)
         layout.addWidget(self.headline)
         layout.addWidget(self.sentence)
+        self.way_on = widgets.button("GoOn", tr("Go on from here…"), go_on)
+        self.way_on.setToolTip(tr("Show how far the job came when the link broke, and restart it there"))
+        self.way_on.hide()
+        layout.addWidget(self.way_on)
         self._tone = ""
+
+    def show_way_on(self, is_open: bool) -> None:
+        """Show the button that goes on with the job that a lost link has cut off, or hide it."""
+        self.way_on.setVisible(is_open)
 
     def show_face(self, face: Face, sentence: str) -> None:
         """Show a state; the sentence is in people's language already."""
@@ -85,8 +94,8 @@ class PositionView(QtGui.QWidget):
             heading = QtGui.QLabel(text)
             heading.setAlignment(QtCore.Qt.AlignmentFlag.AlignRight)
             layout.addWidget(heading, 0, place)
-        self.work = {axis: widgets.figure(f"Work{axis}", 1.4) for axis in AXES}
-        self.machine = {axis: widgets.figure(f"Machine{axis}") for axis in AXES}
+        self.work = {axis: widgets.figure(f"Work{axis}", 1.4, widest=WIDEST) for axis in AXES}
+        self.machine = {axis: widgets.figure(f"Machine{axis}", widest=WIDEST) for axis in AXES}
         self.zeros = {
             axis: widgets.button(f"Zero{axis}", tr("{0} = 0").format(axis), partial(set_zero, axis)) for axis in AXES
         }
@@ -98,7 +107,8 @@ class PositionView(QtGui.QWidget):
         layout.addWidget(self.zeros["XYZ"], 0, 3)
         layout.setColumnStretch(1, 3)
         layout.setColumnStretch(2, 2)
-        self.feed, self.speed = widgets.figure("Feed"), widgets.figure("Spindle")
+        self.feed = widgets.figure("Feed", widest=f"0000 {lengths.speed_name}")
+        self.speed = widgets.figure("Spindle", widest=tr("{0} rpm").format("00000"))
         layout.addLayout(self._speeds(), len(AXES) + 1, 0, 1, 4)
 
     def show_status(self, status: Any) -> None:

@@ -79,12 +79,20 @@ def wrapped(what: str, text: str = "") -> Any:
     return label
 
 
-def figure(what: str, scale: float = 1.0, text: str = "–") -> Any:
-    """Return a right-aligned label with digits of equal width."""
+def steady(label: Any, lines: int) -> Any:
+    """Return a label with room for so many lines: what stands below does not move when its text grows."""
+    label.setMinimumHeight(lines * label.fontMetrics().lineSpacing())
+    label.setAlignment(QtCore.Qt.AlignmentFlag.AlignTop | QtCore.Qt.AlignmentFlag.AlignLeft)
+    return label
+
+
+def figure(what: str, scale: float = 1.0, text: str = "–", widest: str = "") -> Any:
+    """Return a right-aligned label with digits of equal width; widest: a text for which there is always room."""
     label = named(QtGui.QLabel(text), what)
     font = QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont)
     font.setPointSizeF(label.font().pointSizeF() * scale)
     label.setFont(font)
+    label.setMinimumWidth(QtGui.QFontMetrics(font).boundingRect(widest).width() + 2 if widest else 0)
     label.setAlignment(QtCore.Qt.AlignmentFlag.AlignRight | QtCore.Qt.AlignmentFlag.AlignVCenter)
     return label
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import pytest
 
 from CNCStepper.control.stream.remaining_time import Remaining
@@ -77,3 +79,18 @@ def test_a_line_that_takes_too_long_takes_no_time_of_the_others():
 def test_lines_between_those_of_the_plan_change_no_ratio():
     clock = cut(Remaining(PLAN), ("running", 0.0, 0), ("running", 20.0, 3), ("running", 29.0, 4))
     assert clock.ratio == pytest.approx(1.0) and clock.remaining_s == pytest.approx(71.0)
+
+
+@pytest.mark.parametrize("pace", [0.8, 1.05, 1.3])
+def test_in_steady_cutting_it_never_rises_and_ends_at_nothing(pace: float) -> None:
+    plan = [(line, 2.0 * line) for line in range(1, 101)]
+    clock, shown = Remaining(plan), []
+    for tenth in range(round(2000 * pace) + 1):
+        elapsed_s = tenth / 10
+        line = min(int(elapsed_s / (2.0 * pace)), 100)
+        clock.take("running", elapsed_s, line, line, 100)
+        shown.append(clock.remaining_s)
+    assert all(later <= before + 1e-9 for before, later in pairwise(shown))
+    assert shown[0] == 200.0 and shown[-1] == pytest.approx(0.0, abs=0.5)
+    half = shown[len(shown) // 2]
+    assert half == pytest.approx(100.0 * pace, rel=0.25)

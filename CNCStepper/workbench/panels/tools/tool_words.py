@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a tool is named: in lists, and in the tree by what it is until a person names it.
+
+"T2  6 mm  V-bit – Signs" in lists; "T2 V-bit 6 mm 60°" in the tree.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+from CNCStepper.machine.tools.tool_shapes import POINTED, SHAPES
+from CNCStepper.workbench.features.base import entry_of, proxy_type, value_of
+from CNCStepper.workbench.features.turning.turning_tool import DRILL, PARTING, TurningTool
+from CNCStepper.workbench.panels.unit_values import text_of
+from CNCStepper.workbench.services.choice_labels import WORDS, words_of
+from CNCStepper.workbench.services.translation import tr
+
+
+def tool_words(tool: Any) -> str:
+    """Return how a tool is listed: its number, form and diameter, and its own name where it was given one."""
+    if proxy_type(tool) == TurningTool.Type:
+        return turning_tool_words(tool)
+    own = f" – {tool.Label}" if has_own_name(tool) else ""
+    return f"T{tool.Number}  {_text(tool, 'diameter_mm')}  {words_of(tool.ToolShape)}{own}"
+
+
+def turning_tool_words(tool: Any) -> str:
+    """Return how a lathe's tool is listed: its number, insert or size, and kind."""
+    key = {PARTING: "width_mm", DRILL: "diameter_mm"}.get(tool.Kind, "")
+    return f"T{tool.Number}  {_text(tool, key) if key else tool.Insert}  {words_of(tool.Kind)}"
+
+
+def tree_words(tool: Any) -> str:
+    """Return what a cutter is called in the tree: number, form, diameter, and the angle of a pointed one."""
+    is_pointed = tool.ToolShape in POINTED and tool.TipAngle
+    angle = f" {_short(_text(tool, 'tip_angle_deg')).replace(' ', '')}" if is_pointed else ""
+    return f"T{tool.Number} {words_of(tool.ToolShape)} {_short(_text(tool, 'diameter_mm'))}{angle}"
+
+
+def has_own_name(tool: Any) -> bool:
+    """Return whether a person has named a cutter; FreeCAD adds digits to a name that is taken."""
+    forms = "|".join(re.escape(words) for shape in SHAPES for words in {WORDS[shape], words_of(shape)})
+    given = rf"(Tool|{re.escape(tr('Tool'))})\d*|T\d+ ({forms}) \S+ \w+( [\d.,]+°)?\d*"
+    return re.fullmatch(given, tool.Label) is None
+
+
+def _short(text: str) -> str:
+    """Return a quantity without zeros at the end of its number."""
+    number, _, unit = text.partition(" ")
+    return f"{number.rstrip('0').rstrip('.,') if set('.,') & set(number) else number} {unit}"
+
+
+def _text(tool: Any, key: str) -> str:
+    entry = entry_of(tool.Proxy, key)
+    return text_of(float(value_of(tool, entry)), entry)

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a cutter looks in the tree: an icon of its shape, and a name that says what it is until a person gives one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from CNCStepper.workbench.features.base import PROBLEM, proxy_type
+from CNCStepper.workbench.services.messages import polled
+from CNCStepper.workbench.viewproviders.base import ViewProvider
+
+NAMED_BY = ("Number", "ToolShape", "Diameter", "TipAngle", "Label")  # the properties that the name is made of
+
+
+class Tool(ViewProvider):
+    """The view of a cutter."""
+
+    BADGED_BY = ("Problem", "ToolShape")
+
+    def icon_name(self) -> str:
+        """Return the name of its shape's icon."""
+        return f"{proxy_type(self.obj)}_{self.obj.ToolShape}"
+
+    @polled
+    def updateData(self, obj: Any, name: str) -> None:
+        """Draw icon and name anew when what they say has changed; FreeCAD calls this at every change of a property."""
+        super().updateData(obj, name)
+        if name in NAMED_BY and PROBLEM.name in obj.PropertiesList and "Restore" not in obj.State:
+            self.name()
+
+    def name(self) -> None:
+        """Name the tool by what it is, unless a person has named it."""
+        from CNCStepper.workbench.panels.tools.tool_words import has_own_name, tree_words
+
+        words = tree_words(self.obj)
+        is_so = self.obj.Label.removeprefix(words).isdigit() or self.obj.Label == words  # digits: the name was taken
+        if not is_so and not has_own_name(self.obj):
+            self.obj.Label = words
