@@ -103,6 +103,11 @@ def material_names() -> list[str]:
     return list(_materials())
 
 
+def turned_materials() -> list[str]:
+    """Return the names of those whose forces in turning are known."""
+    return [name for name in material_names() if material(name).turning is not None]
+
+
 def material(name: str) -> Material:
     """Return a material of the table; raises JobError that names those there are."""
     if name not in _materials():

@@ -14186,6 +14186,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a thread keeps its lead: a path with {owner} is not scaled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14343,6 +14347,10 @@
         </message>
         <message>
             <source>above {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above {bore:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14610,6 +14618,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at least {0} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at least {0} deg: a nose angle of {1} deg or less</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14822,6 +14834,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>below z {face:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {depth_mm:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14834,7 +14850,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>below {most:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {narrowest_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>below {thick:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15690,6 +15714,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>depth_mm is deeper than the bar sticks out of the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>describe it in a [[tool]] table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15794,7 +15822,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drill a narrower hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill first, or turn a tube</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill less deep, or use a longer bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15803,6 +15839,10 @@
         </message>
         <message>
             <source>drill {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill {more:.4g} mm deeper before it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15830,6 +15870,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end before it, or let the bar stick out {length:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>end it at the axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15843,6 +15887,10 @@
         </message>
         <message>
             <source>end it with #</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end nearer to the axis</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17146,6 +17194,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave --part out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave blade_offset_mm out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17155,6 +17207,10 @@
         </message>
         <message>
             <source>leave less for the finishing pass, or islands remain</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave less, or use a thicker bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17506,6 +17562,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make it narrower, or lower z_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make it shorter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17594,6 +17654,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make the program again with the new thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make the program smaller, split it, or use a larger machine</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17611,6 +17675,10 @@
         </message>
         <message>
             <source>make them lower</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make them with `cncstepper run`, or check it with --part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18023,6 +18091,10 @@
         </message>
         <message>
             <source>no material needs more than 100 kN on a square millimetre of chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no material of turning is called '{name}': it may be {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18746,10 +18818,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>prove them together: cncstepper run JOB</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18815,6 +18883,10 @@
         </message>
         <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raise spindle_rpm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19539,6 +19611,10 @@
         </message>
         <message>
             <source>steps_per_mm is {steps_per_mm:g}, but the drive gives {pulses_per_mm:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stock_to_leave_mm leaves nothing to cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20578,6 +20654,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the drill is wider than the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the ears</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20894,6 +20974,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the groove is wider than what lies before the raw end: width_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the head goes over a piece that is free and may stand up</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20954,15 +21038,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the insert is of another pitch than the thread</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job cannot be read: {error}</source>
+            <source>the jaws are longer than the bar: jaw_mm must be below {most:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the job has a program for each of {count} tools, one after the other</source>
+            <source>the job cannot be read: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20975,6 +21063,14 @@
         </message>
         <message>
             <source>the job has no operations</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job has one program for all its tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job has {count} programs, one a tool, and this is not one of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21690,6 +21786,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the points of the profile lie at one place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21766,6 +21866,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the profile '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile begins behind the stock's end</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21798,7 +21902,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the profile is deeper than the hole that is drilled</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile is smaller than its allowance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile is wider than the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile lies in the hole: there is nothing to bore</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22266,6 +22382,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the spindle does not turn so slowly</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle does not turn, but the motion goes by its turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22306,7 +22426,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the start is in the chuck: its z must be at least {z:g} mm, or its x outside {diameter:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the start lies over the axis: its x is {x:g} mm, it must be at least 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22415,6 +22543,10 @@
         </message>
         <message>
             <source>the thread is not longer than its pull-out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the thread is wider than the bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23190,6 +23322,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>to_diameter_mm leaves nothing to face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>too many drawings, or one read in too many ways</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23558,6 +23694,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a thicker bar, or correct the diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23583,6 +23723,10 @@
         </message>
         <message>
             <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use an insert of that pitch</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24394,6 +24538,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>z falls towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>z {0} mm at most</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24591,6 +24739,10 @@
         </message>
         <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} rules of style are not applied, because of their selectors: {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25150,6 +25302,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} lies before the raw end of the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} lists no such alarm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25475,6 +25631,10 @@
         </message>
         <message>
             <source>{what} must be larger than {than}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{what} reaches into the chuck or its jaws</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

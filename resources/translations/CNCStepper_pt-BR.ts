@@ -14186,6 +14186,10 @@
             <translation>uma rosca é cortada com uma ferramenta de roscar</translation>
         </message>
         <message>
+            <source>a thread keeps its lead: a path with {owner} is not scaled</source>
+            <translation>uma rosca mantém seu avanço por volta: um percurso com {owner} não é escalado</translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation>uma tolerância deve ser maior que 0</translation>
         </message>
@@ -14344,6 +14348,10 @@
         <message>
             <source>above {0} mm</source>
             <translation>acima de {0} mm</translation>
+        </message>
+        <message>
+            <source>above {bore:g} mm</source>
+            <translation>acima de {bore:g} mm</translation>
         </message>
         <message>
             <source>above {highest_cut:g} mm</source>
@@ -14610,6 +14618,10 @@
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
+            <source>at least {0} deg</source>
+            <translation>pelo menos {0} graus</translation>
+        </message>
+        <message>
             <source>at least {0} deg: a nose angle of {1} deg or less</source>
             <translation>no mínimo {0} graus: um ângulo de ponta de {1} graus ou menos</translation>
         </message>
@@ -14822,6 +14834,10 @@
             <translation>comece com rápidos que indiquem X, Y e Z</translation>
         </message>
         <message>
+            <source>below z {face:g} mm</source>
+            <translation>abaixo de z {face:g} mm</translation>
+        </message>
+        <message>
             <source>below {depth_mm:g} mm</source>
             <translation>abaixo de {depth_mm:g} mm</translation>
         </message>
@@ -14834,8 +14850,16 @@
             <translation>abaixo de {minor_mm:.3f} mm</translation>
         </message>
         <message>
+            <source>below {most:g} mm</source>
+            <translation>abaixo de {most:g} mm</translation>
+        </message>
+        <message>
             <source>below {narrowest_mm:g} mm</source>
             <translation>abaixo de {narrowest_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>below {thick:.4g} mm</source>
+            <translation>abaixo de {thick:.4g} mm</translation>
         </message>
         <message>
             <source>below {total_mm:g} mm</source>
@@ -15690,6 +15714,10 @@
             <translation>defina-a ou ponha o seu arquivo ao lado do programa</translation>
         </message>
         <message>
+            <source>depth_mm is deeper than the bar sticks out of the chuck</source>
+            <translation>depth_mm vai mais fundo do que a barra sai da placa</translation>
+        </message>
+        <message>
             <source>describe it in a [[tool]] table</source>
             <translation>descreva-a em uma tabela [[tool]]</translation>
         </message>
@@ -15794,8 +15822,16 @@
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
         </message>
         <message>
+            <source>drill a narrower hole</source>
+            <translation>fure um furo mais estreito</translation>
+        </message>
+        <message>
             <source>drill first, or turn a tube</source>
             <translation>fure antes, ou torneie um tubo</translation>
+        </message>
+        <message>
+            <source>drill less deep, or use a longer bar</source>
+            <translation>fure menos fundo, ou use uma barra mais longa</translation>
         </message>
         <message>
             <source>drill wider</source>
@@ -15804,6 +15840,10 @@
         <message>
             <source>drill {0} mm</source>
             <translation>broca de {0} mm</translation>
+        </message>
+        <message>
+            <source>drill {more:.4g} mm deeper before it</source>
+            <translation>fure antes {more:.4g} mm mais fundo</translation>
         </message>
         <message>
             <source>drive a laser by a controller with grbl's laser mode</source>
@@ -15830,6 +15870,10 @@
             <translation>habilite o referenciamento ($22=1) ou desligue os limites de software ($20=0)</translation>
         </message>
         <message>
+            <source>end before it, or let the bar stick out {length:g} mm</source>
+            <translation>termine antes, ou deixe a barra sair {length:g} mm</translation>
+        </message>
+        <message>
             <source>end it at the axis</source>
             <translation>termine-o no eixo</translation>
         </message>
@@ -15844,6 +15888,10 @@
         <message>
             <source>end it with #</source>
             <translation>termine-o com #</translation>
+        </message>
+        <message>
+            <source>end nearer to the axis</source>
+            <translation>termine mais perto do eixo</translation>
         </message>
         <message>
             <source>end other programs, or lower max_rate_mm_min in the machine's profile</source>
@@ -17146,6 +17194,10 @@
             <translation>omita '{name}' se o operador da máquina o faz à mão</translation>
         </message>
         <message>
+            <source>leave --part out</source>
+            <translation>omita --part</translation>
+        </message>
+        <message>
             <source>leave blade_offset_mm out</source>
             <translation>omita blade_offset_mm</translation>
         </message>
@@ -17156,6 +17208,10 @@
         <message>
             <source>leave less for the finishing pass, or islands remain</source>
             <translation>deixe menos para o passe de acabamento, ou sobram ilhas</translation>
+        </message>
+        <message>
+            <source>leave less, or use a thicker bar</source>
+            <translation>deixe menos, ou use uma barra mais grossa</translation>
         </message>
         <message>
             <source>leave one ellipse in it and draw the rest elsewhere or as construction lines</source>
@@ -17506,6 +17562,10 @@
             <translation>refaça-o</translation>
         </message>
         <message>
+            <source>make it narrower, or lower z_mm</source>
+            <translation>faça-o mais estreito, ou reduza z_mm</translation>
+        </message>
+        <message>
             <source>make it shorter</source>
             <translation>encurte-o</translation>
         </message>
@@ -17594,6 +17654,10 @@
             <translation>gere o programa de novo</translation>
         </message>
         <message>
+            <source>make the program again with the new thread</source>
+            <translation>faça o programa de novo com a nova rosca</translation>
+        </message>
+        <message>
             <source>make the program smaller, split it, or use a larger machine</source>
             <translation>diminua o programa, divida-o ou use uma máquina maior</translation>
         </message>
@@ -17612,6 +17676,10 @@
         <message>
             <source>make them lower</source>
             <translation>baixe-as</translation>
+        </message>
+        <message>
+            <source>make them with `cncstepper run`, or check it with --part</source>
+            <translation>faça-os com `cncstepper run`, ou verifique-o com --part</translation>
         </message>
         <message>
             <source>make {name} larger</source>
@@ -18024,6 +18092,10 @@
         <message>
             <source>no material needs more than 100 kN on a square millimetre of chip</source>
             <translation>nenhum material exige mais de 100 kN por milímetro quadrado de cavaco</translation>
+        </message>
+        <message>
+            <source>no material of turning is called '{name}': it may be {names}</source>
+            <translation>nenhum material de torneamento se chama '{name}': pode ser {names}</translation>
         </message>
         <message>
             <source>no memory card is mounted</source>
@@ -18746,10 +18818,6 @@
             <translation>verifique partes do programa em separado</translation>
         </message>
         <message>
-            <source>prove them together: cncstepper run JOB</source>
-            <translation>verifique-os juntos: cncstepper run JOB</translation>
-        </message>
-        <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
             <translation>pulsos só são descartados em repouso, não no estado {state}</translation>
         </message>
@@ -18816,6 +18884,10 @@
         <message>
             <source>raise pulloff_mm in its configuration, or check the switch</source>
             <translation>aumente pulloff_mm na configuração, ou verifique o fim de curso</translation>
+        </message>
+        <message>
+            <source>raise spindle_rpm</source>
+            <translation>aumente spindle_rpm</translation>
         </message>
         <message>
             <source>raise the R word of the drilling cycle</source>
@@ -19540,6 +19612,10 @@
         <message>
             <source>steps_per_mm is {steps_per_mm:g}, but the drive gives {pulses_per_mm:g}</source>
             <translation>steps_per_mm é {steps_per_mm:g}, mas o acionamento dá {pulses_per_mm:g}</translation>
+        </message>
+        <message>
+            <source>stock_to_leave_mm leaves nothing to cut</source>
+            <translation>stock_to_leave_mm não deixa nada para cortar</translation>
         </message>
         <message>
             <source>stop it, then home it, or set the zero of all axes</source>
@@ -20578,6 +20654,10 @@
             <translation>a broca não alcança essa profundidade</translation>
         </message>
         <message>
+            <source>the drill is wider than the bar</source>
+            <translation>a broca é mais larga que a barra</translation>
+        </message>
+        <message>
             <source>the ears</source>
             <translation>as orelhas</translation>
         </message>
@@ -20894,6 +20974,10 @@
             <translation>a grade tem furos demais</translation>
         </message>
         <message>
+            <source>the groove is wider than what lies before the raw end: width_mm</source>
+            <translation>o canal é mais largo que o material até a face bruta: width_mm</translation>
+        </message>
+        <message>
             <source>the head goes over a piece that is free and may stand up</source>
             <translation>o cabeçote passa sobre uma peça solta que pode estar levantada</translation>
         </message>
@@ -20954,16 +21038,20 @@
             <translation>a pastilha '{code}' não tem {name} da ISO 1832</translation>
         </message>
         <message>
+            <source>the insert is of another pitch than the thread</source>
+            <translation>a pastilha é de outro passo que a rosca</translation>
+        </message>
+        <message>
             <source>the insert must fill 1 to 179 degrees from back_deg to front_deg: it fills {angle:g}</source>
             <translation>a pastilha deve ocupar de 1 a 179 graus entre back_deg e front_deg: ocupa {angle:g}</translation>
         </message>
         <message>
-            <source>the job cannot be read: {error}</source>
-            <translation>o trabalho não pode ser lido: {error}</translation>
+            <source>the jaws are longer than the bar: jaw_mm must be below {most:g} mm</source>
+            <translation>as castanhas são mais longas que a barra: jaw_mm deve ficar abaixo de {most:g} mm</translation>
         </message>
         <message>
-            <source>the job has a program for each of {count} tools, one after the other</source>
-            <translation>o trabalho tem um programa para cada uma das {count} ferramentas, um após o outro</translation>
+            <source>the job cannot be read: {error}</source>
+            <translation>o trabalho não pode ser lido: {error}</translation>
         </message>
         <message>
             <source>the job has ended: {outcome}</source>
@@ -20976,6 +21064,14 @@
         <message>
             <source>the job has no operations</source>
             <translation>o trabalho não tem operações</translation>
+        </message>
+        <message>
+            <source>the job has one program for all its tools</source>
+            <translation>o trabalho tem um só programa para todas as ferramentas</translation>
+        </message>
+        <message>
+            <source>the job has {count} programs, one a tool, and this is not one of them</source>
+            <translation>o trabalho tem {count} programas, um por ferramenta, e este não é nenhum deles</translation>
         </message>
         <message>
             <source>the job has {of_what}</source>
@@ -21690,6 +21786,10 @@
             <translation>os pontos de uma linha à mão livre estão em alturas diferentes</translation>
         </message>
         <message>
+            <source>the points of the profile lie at one place</source>
+            <translation>os pontos do perfil estão no mesmo lugar</translation>
+        </message>
+        <message>
             <source>the port is opened 8N1: neither a socket nor a pseudo-terminal has parity (the lathe itself wants 8E1)</source>
             <translation>a porta é aberta em 8N1: nem um socket nem um pseudoterminal tem paridade (o torno em si quer 8E1)</translation>
         </message>
@@ -21766,6 +21866,10 @@
             <translation>o processo que lê o programa terminou</translation>
         </message>
         <message>
+            <source>the profile '{name}'</source>
+            <translation>o perfil '{name}'</translation>
+        </message>
+        <message>
             <source>the profile begins behind the stock's end</source>
             <translation>o perfil começa atrás da ponta do material</translation>
         </message>
@@ -21798,8 +21902,20 @@
             <translation>o perfil é fechado: não tem extremidade junto à placa</translation>
         </message>
         <message>
+            <source>the profile is deeper than the hole that is drilled</source>
+            <translation>o perfil é mais fundo que o furo feito</translation>
+        </message>
+        <message>
             <source>the profile is smaller than its allowance</source>
             <translation>o perfil é menor que o seu sobremetal</translation>
+        </message>
+        <message>
+            <source>the profile is wider than the bar</source>
+            <translation>o perfil é mais largo que a barra</translation>
+        </message>
+        <message>
+            <source>the profile lies in the hole: there is nothing to bore</source>
+            <translation>o perfil fica dentro do furo: não há o que mandrilar</translation>
         </message>
         <message>
             <source>the profile turns back along Z</source>
@@ -22266,6 +22382,10 @@
             <translation>o fuso não gira tão rápido</translation>
         </message>
         <message>
+            <source>the spindle does not turn so slowly</source>
+            <translation>o fuso não gira tão devagar</translation>
+        </message>
+        <message>
             <source>the spindle does not turn, but the motion goes by its turns</source>
             <translation>o spindle não gira, mas o movimento depende das voltas dele</translation>
         </message>
@@ -22306,8 +22426,16 @@
             <translation>o interpretador autônomo só move X Y Z A B C</translation>
         </message>
         <message>
+            <source>the start is in the chuck: its z must be at least {z:g} mm, or its x outside {diameter:g} mm</source>
+            <translation>o início está na placa: seu z deve ser pelo menos {z:g} mm, ou seu x fora de {diameter:g} mm</translation>
+        </message>
+        <message>
             <source>the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm</source>
             <translation>o ponto inicial está dentro do material: seu z deve ser no mínimo {face:g} mm, ou seu x ficar fora de {diameter:g} mm</translation>
+        </message>
+        <message>
+            <source>the start lies over the axis: its x is {x:g} mm, it must be at least 0</source>
+            <translation>o início passa do eixo: seu x é {x:g} mm, deve ser pelo menos 0</translation>
         </message>
         <message>
             <source>the state of the machine's position cannot be stored: {error}</source>
@@ -22416,6 +22544,10 @@
         <message>
             <source>the thread is not longer than its pull-out</source>
             <translation>a rosca não é mais longa que a sua saída</translation>
+        </message>
+        <message>
+            <source>the thread is wider than the bar</source>
+            <translation>a rosca é mais larga que a barra</translation>
         </message>
         <message>
             <source>the thread takes too many passes</source>
@@ -23190,6 +23322,10 @@
             <translation>para inverter um lado use o espelhamento</translation>
         </message>
         <message>
+            <source>to_diameter_mm leaves nothing to face</source>
+            <translation>to_diameter_mm não deixa nada para facear</translation>
+        </message>
+        <message>
             <source>too many drawings, or one read in too many ways</source>
             <translation>desenhos demais, ou um lido de maneiras demais</translation>
         </message>
@@ -23558,6 +23694,10 @@
             <translation>use um contraponto, ou no máximo {length:.4g} mm</translation>
         </message>
         <message>
+            <source>use a thicker bar, or correct the diameter</source>
+            <translation>use uma barra mais grossa, ou corrija o diâmetro</translation>
+        </message>
+        <message>
             <source>use a thread mill with one tooth, given as an engraver with a large tip_diameter_mm or as flat</source>
             <translation>use uma fresa de rosca de um dente, indicada como engraver com tip_diameter_mm grande ou como flat</translation>
         </message>
@@ -23584,6 +23724,10 @@
         <message>
             <source>use an engagement_max_deg of {deg} or more with a stepover_mm of {stepover_mm:g} or more, a smaller tool, or another pattern</source>
             <translation>use um engagement_max_deg de {deg} ou mais com um stepover_mm de {stepover_mm:g} ou mais, uma ferramenta menor ou outro padrão</translation>
+        </message>
+        <message>
+            <source>use an insert of that pitch</source>
+            <translation>use uma pastilha desse passo</translation>
         </message>
         <message>
             <source>use another blade</source>
@@ -24394,6 +24538,10 @@
             <translation>x_is = diameter</translation>
         </message>
         <message>
+            <source>z falls towards the chuck</source>
+            <translation>z diminui em direção à placa</translation>
+        </message>
+        <message>
             <source>z {0} mm at most</source>
             <translation>z {0} mm no máximo</translation>
         </message>
@@ -24592,6 +24740,10 @@
         <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
             <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
+        </message>
+        <message>
+            <source>{count} rules of style are not applied, because of their selectors: {names}</source>
+            <translation>{count} regras de estilo não são aplicadas, por causa de seus seletores: {names}</translation>
         </message>
         <message>
             <source>{count} texts are longer than their path; letters beyond it are left out: {names}</source>
@@ -25150,6 +25302,10 @@
             <translation>{name} é {offset}, esperado {wanted} mm</translation>
         </message>
         <message>
+            <source>{name} lies before the raw end of the bar</source>
+            <translation>{name} fica antes da face bruta da barra</translation>
+        </message>
+        <message>
             <source>{name} lists no such alarm</source>
             <translation>{name} não lista esse alarme</translation>
         </message>
@@ -25476,6 +25632,10 @@
         <message>
             <source>{what} must be larger than {than}</source>
             <translation>{what}: deve ser maior que {than}</translation>
+        </message>
+        <message>
+            <source>{what} reaches into the chuck or its jaws</source>
+            <translation>{what} entra na placa ou em suas castanhas</translation>
         </message>
         <message>
             <source>{what} while the tool is compensated</source>

@@ -71,15 +71,24 @@ class LatheOptions:
         return bool(self.bar_mm) or of_job
 
     def prove(
-        self, text: str, given: ProgramOptions, machine: Machine, file: str, dialect: str, start: Start | None
+        self,
+        text: str,
+        given: ProgramOptions,
+        machine: Machine,
+        file: str,
+        dialect: str,
+        start: Start | None,
+        part: int | None = None,
     ) -> tuple[Proof, TurnedVerdict]:
-        """Return the proof of a lathe program and the verdict on its part."""
+        """Return the proof of a lathe program and the verdict on its part; part: which program of the job it is."""
         from CNCStepper.job.turning.prove_program import TurnedBar, prove_text_of_job, prove_turned
 
         words: dict[str, Any] = {"file": file, "dialect": dialect, "start": start}
         if self.bar_mm is None:
             assert given.job_path is not None  # turns() has looked
-            return prove_text_of_job(text, given.job_path, **words)
+            return prove_text_of_job(text, given.job_path, machine, part=part, **words)
+        if part is not None:
+            raise click.UsageError("--part goes with --job")
         diameter_mm, length_mm, bore_mm = (*self.bar_mm, 0.0)[:3]
         stock = TurnedBar(diameter_mm, length_mm, bore_mm, self.face_mm)
         return prove_turned(text, machine, stock, {tool.number: tool for tool in self.tools}, **words)

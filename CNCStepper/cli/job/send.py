@@ -212,7 +212,10 @@ def _check_proof(given: ProgramOptions, is_certified: bool, unchecked: bool, des
 
 @dataclass(frozen=True)
 class _Wanted:
-    """The program to send, and what it is compared with, as far as the command line gives it."""
+    """The program to send, and what it is compared with, as far as the command line gives it.
+
+    turning: the file of a lathe's job.
+    """
 
     program: ProgramFile
     machine: Machine | None
@@ -221,6 +224,7 @@ class _Wanted:
     start: Start | None
     job: Job | None = None
     row: CutData | None = None
+    turning: Path | None = None
 
     @property
     def file(self) -> str:
@@ -235,7 +239,7 @@ class _Wanted:
         """
         start, (job, machine) = given.start_options.start(), given.job_and_machine()
         if job is None or machine is None:
-            return cls(program, machine, given.stock, given.tool, start, row=cut.row(machine))
+            return cls(program, machine, given.stock, given.tool, start, row=cut.row(machine), turning=given.job_path)
         start = start if is_certified and not start else job.started(start, machine)
         on_machine = job.on(machine)
         return cls(program, machine, job.stock.stock(), on_machine.tools, start, job, on_machine.cut_data)
@@ -336,6 +340,8 @@ def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
     from CNCStepper.toolpath import require_straight_axes
 
     _check_dialect(dialect, wanted.machine)
+    if wanted.turning and wanted.machine and not unchecked:
+        return _turned(wanted, wanted.turning, wanted.machine, dialect)
     wire, motors, toolpath = wire_round_trip(wanted.program.text, wanted.machine, dialect, wanted.file, wanted.start)
     require_straight_axes(motors, wanted.file)
     if wanted.machine and not unchecked:
@@ -344,6 +350,19 @@ def _checked(wanted: _Wanted, dialect: str, unchecked: bool) -> SendJob:
         if refused(findings):
             sys.exit(1)
     return send_job(wire, wanted.machine, wanted.file, toolpath.start, dialect, _plan(wanted.machine, motors))
+
+
+def _turned(wanted: _Wanted, job: Path, machine: Machine, dialect: str) -> SendJob:
+    """Return the job of a lathe's program, proven behind those that cut before it; exits with 1 where it is refused."""
+    from CNCStepper.job.make_certificate import send_job
+    from CNCStepper.job.turning.prove_program import prove_text_of_job
+
+    words: dict[str, Any] = {"file": wanted.file, "dialect": dialect, "start": wanted.start}
+    proof, _ = prove_text_of_job(wanted.program.text, job, machine, **words)
+    show_findings(finding for finding in proof.findings if finding.severity == "error")
+    if proof.refused:
+        sys.exit(1)
+    return send_job(proof.wire, machine, wanted.file, proof.start, dialect, proof.plan)
 
 
 def _plan(machine: Machine | None, motors: Toolpath) -> list[list[float]]:

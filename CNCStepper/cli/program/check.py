@@ -92,7 +92,8 @@ def command(
     """Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with
     --job gouge and material left, clamps and the sheet's edge too. --bar and --turning-tool are those of a lathe.
 
-    A job that is split into a program a tool needs --part: the programs before it are made anew and taken as cut.
+    A job that is split into a program a tool needs --part: the programs before it are made anew and taken as cut. A
+    lathe's program is found among those of its job by its moves, where --part does not say which it is.
     A block that moves is a line of PROGRAM, counted once however often it is run.
     Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of
     the program on the table is reported as unknown.
@@ -104,9 +105,8 @@ def command(
     show_x_of_file(program, asked.language, machine)
     if lathe.turns(given):
         text = read_program(program)
-        _conclude(
-            lathe.prove(text, given, machine, str(program), asked.language, start)[0], program, json_path, certificate
-        )
+        proof, _ = lathe.prove(text, given, machine, str(program), asked.language, start, part)
+        _conclude(proof, program, json_path, certificate)
     job = job_of(given.job_path) if given.job_path else None
     with Progress(f"{STAGES['make']} {program.name}"):
         earlier = prior_parts(job, machine, part) if job else []

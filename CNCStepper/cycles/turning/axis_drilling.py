@@ -3,13 +3,10 @@
 
 from __future__ import annotations
 
-import math
-
-from CNCStepper.cycles.turning.turning_moves import TurningMoves
+from CNCStepper.cycles.turning.turning_moves import TurningMoves, even_passes
 from CNCStepper.cycles.turning.turning_operation import TurnDrill
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
 from CNCStepper.errors import CycleError
-from CNCStepper.tolerances import SAME_MM
 
 
 def drill_axis(operation: TurnDrill, setup: TurningSetup, moves: TurningMoves) -> dict[str, float]:
@@ -22,7 +19,7 @@ def drill_axis(operation: TurnDrill, setup: TurningSetup, moves: TurningMoves) -
         what, value = "the drill does not reach so deep", f"{operation.depth_mm:g} mm"
         raise CycleError("drill-reach", what, value=value, limit=f"{tool.reach_mm:g} mm", advice="use a longer drill")
     above_mm, deep_mm = setup.face_mm + operation.clearance_mm, operation.depth_mm + setup.face_mm
-    count = max(math.ceil(deep_mm / operation.peck_mm - SAME_MM), 1) if operation.peck_mm else 1
+    count = even_passes(deep_mm, operation.peck_mm, "peck_mm") if operation.peck_mm else 1
     moves.approach_front(above_mm, 0.0)
     for number in range(1, count + 1):
         depth = setup.face_mm - number * deep_mm / count

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 
+from CNCStepper.cycles.passes import require_few_passes
 from CNCStepper.cycles.turning.turning_moves import TurningMoves
 from CNCStepper.cycles.turning.turning_operation import TurnGroove, TurnPart
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
@@ -77,6 +78,8 @@ def _require_deep(deep_mm: float, setup: TurningSetup) -> None:
 def _plunge(moves: TurningMoves, z: float, safe: float, floor: float, peck_mm: float) -> None:
     """Feed down to the floor, going back a little after each peck."""
     side, depth = moves.side, safe
+    if peck_mm:
+        require_few_passes(side * (depth - floor), peck_mm, "peck_mm")
     while peck_mm and side * (depth - floor) > peck_mm + SAME_MM:
         depth -= side * peck_mm
         moves.feed(*moves.tip(z, depth))

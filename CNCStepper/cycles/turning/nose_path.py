@@ -15,6 +15,7 @@ import math
 from itertools import pairwise
 
 import numpy as np
+import shapely
 
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
 from CNCStepper.errors import CycleError
@@ -24,6 +25,9 @@ from CNCStepper.tolerances import SAME_EDGE_DEG, SAME_MM
 
 OFFSET_TOLERANCE_MM = 1e-4
 BODY_MM = 50.0  # how far the region below a profile goes on
+CHORDS_MM = 1e-3  # of a profile whose stock is measured
+LEAST_NOSE_DEG = 1.0  # of an insert that could be
+SAMPLES = 400  # places at which it is
 
 
 def framed(curve: Curve, side: float) -> Curve:
@@ -42,6 +46,21 @@ def centre_path(profile: Curve, distance_mm: float, top_mm: float) -> Curve:
     loop = Region.of([Curve(xy, bulge).without_short()]).offset(distance_mm, OFFSET_TOLERANCE_MM).loops[0]
     places_mm = loop.nearest(np.array([_first_centre(profile, loop, distance_mm), (z_last + distance_mm, high)]))[1]
     return loop.part(float(places_mm[0]), float(places_mm[1]))
+
+
+def thickest_mm(profile: Curve, top_mm: float, face_mm: float) -> float:
+    """Return the greatest distance from a framed profile and its wall of what lies above it in the stock.
+
+    It is greatest at the raw surface r = top_mm or at the raw end z = face_mm, as a profile never runs back.
+    """
+    points = profile.points(CHORDS_MM)
+    (z_first, r_first), z_last = points[0], float(points[-1, 0])
+    high, low = max(top_mm, float(points[:, 1].max())) + BODY_MM, float(points[:, 1].min()) - BODY_MM
+    wall = [(z_last, high), (z_last - BODY_MM, high), (z_last - BODY_MM, low), (z_first, low)]
+    end = max(face_mm, z_first)
+    surface = [(z, top_mm) for z in np.linspace(z_last, end, SAMPLES)]
+    raw_end = [(end, r) for r in np.linspace(min(r_first, top_mm), top_mm, SAMPLES)]
+    return float(shapely.distance(shapely.Polygon([*points, *wall]), shapely.points([*surface, *raw_end])).max())
 
 
 def _first_centre(profile: Curve, loop: Curve, distance_mm: float) -> tuple[float, float]:
@@ -68,7 +87,9 @@ def require_reach(profile: Curve, setup: TurningSetup, side: float) -> None:
         raise CycleError("insert-front", what, value=value, limit=limit, advice="use another insert or holder")
     if falling > back + SAME_EDGE_DEG:
         what, value = "the back edge of the insert does not reach the profile", f"back edge at {back:.4g} deg"
-        limit = f"at least {falling:.4g} deg: a nose angle of {front - falling:.4g} deg or less"
+        limit = f"at least {falling:.4g} deg"
+        if front - falling >= LEAST_NOSE_DEG:
+            limit = f"at least {falling:.4g} deg: a nose angle of {front - falling:.4g} deg or less"
         raise CycleError("insert-back", what, value=value, limit=limit, advice="use a more pointed insert or a groove")
     _require_nose(profile, setup)
 

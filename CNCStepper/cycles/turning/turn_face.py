@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-import math
-
-from CNCStepper.cycles.turning.turning_moves import TurningMoves
+from CNCStepper.cycles.turning.turning_moves import TurningMoves, even_passes
 from CNCStepper.cycles.turning.turning_operation import TurnFace
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
 from CNCStepper.errors import CycleError
@@ -22,7 +20,7 @@ def face(operation: TurnFace, setup: TurningSetup, moves: TurningMoves) -> dict[
     if deep_mm < -SAME_MM:
         what, value, limit = "the face lies before the stock", f"z {last_mm:g} mm", f"z {setup.face_mm:g} mm at most"
         raise CycleError("face-outside", what, value=value, limit=limit, advice="give the stock a greater face_mm")
-    count = max(math.ceil(deep_mm / operation.ap_mm - SAME_MM), 1)
+    count = even_passes(deep_mm, operation.ap_mm, "ap_mm")
     safe_mm = setup.radius_mm + nose_mm + operation.clearance_mm
     away_mm = setup.face_mm + nose_mm + operation.clearance_mm
     inner_mm = max(operation.to_diameter_mm, setup.bore_mm) / 2

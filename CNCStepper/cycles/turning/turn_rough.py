@@ -5,19 +5,20 @@ level 0  ==========================   beside the stock       Each level is cut i
 level 1  <-------------------------   from the front         of the nose's centre lies below it. One that is open
 level 2      <---/   <-------------   a valley is entered    to the front begins there; a valley is entered down
                      along its right flank                   its right flank. The last pass follows the path.
+
+Along the profile the passes are parallels of the path, evenly apart, each on the stretches of it that lie in the stock.
 """
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
-from CNCStepper.cycles.turning.nose_path import centre_path, crossings_mm, framed, require_reach
+from CNCStepper.cycles.turning.nose_path import centre_path, crossings_mm, framed, require_reach, thickest_mm
 from CNCStepper.cycles.turning.profile_path import CLEAR_MM, ProfilePath
-from CNCStepper.cycles.turning.turning_moves import TurningMoves
+from CNCStepper.cycles.turning.turning_moves import TurningMoves, even_passes
 from CNCStepper.cycles.turning.turning_operation import TurnRough
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.tolerances import SAME_MM
 
@@ -32,6 +33,7 @@ def rough(operation: TurnRough, setup: TurningSetup, moves: TurningMoves) -> dic
     profile = framed(setup.profile, moves.side)
     require_reach(profile, setup, moves.side)
     work = RoughedProfile(operation, setup, moves, profile)
+    work.require_cut(operation.stock_to_leave_mm)
     ways = {"z": work.along_z, "x": work.along_x, "profile": work.along_profile}
     return ways[operation.along]()
 
@@ -43,11 +45,19 @@ class RoughedProfile(ProfilePath):
         super().__init__(operation, setup, moves, profile)
         self.ap_mm = operation.ap_mm
 
+    def require_cut(self, leave_mm: float) -> None:
+        """Raise CycleError where the stock to leave is as thick as all that is to be cut."""
+        thick_mm = thickest_mm(self.profile, self.top_mm - self.nose_mm, self.setup.face_mm)
+        if leave_mm >= thick_mm > 0:
+            what, value = "stock_to_leave_mm leaves nothing to cut", f"{leave_mm:g} mm"
+            limit = Text("below {thick:.4g} mm", thick=thick_mm)
+            raise CycleError("leave-all", what, value=value, limit=limit, advice="leave less, or use a thicker bar")
+
     def heights(self) -> list[float]:
         """Return the levels from beside the stock down to above the path's lowest place, evenly ap or less apart."""
         low = float(self.path.points(0.01)[:, 1].min())
         deep_mm = self.top_mm - low
-        count = max(math.ceil(deep_mm / self.ap_mm - SAME_MM), 1)
+        count = even_passes(deep_mm, self.ap_mm, "ap_mm")
         return [self.top_mm - number * deep_mm / count for number in range(count)]
 
     def along_z(self) -> dict[str, float]:
@@ -105,13 +115,13 @@ class RoughedProfile(ProfilePath):
 
     def _words(self, deep_mm: float) -> dict[str, float]:
         """Return the words of a roughing cycle whose levels begin where the tool is: depth of cut and retract."""
-        return {"I": deep_mm / max(math.ceil(deep_mm / self.ap_mm - SAME_MM), 1), "R": min(CLEAR_MM, self.ap_mm)}
+        return {"I": deep_mm / even_passes(deep_mm, self.ap_mm, "ap_mm"), "R": min(CLEAR_MM, self.ap_mm)}
 
     def along_x(self) -> dict[str, float]:
         """Cut down at one z after the other from the front, then along the path."""
         self.require_front(BEGIN_PASSES * self.ap_mm)
         first, last = self.setup.face_mm + self.nose_mm, float(self.path.points(0.01)[:, 0].min())
-        count = max(math.ceil((first - last) / self.ap_mm - SAME_MM), 1)
+        count = even_passes(first - last, self.ap_mm, "ap_mm")
         step_mm = (first - last) / count
         moves = self.moves
         moves.approach_front(self.front_mm, self.safe_mm)
@@ -135,34 +145,47 @@ class RoughedProfile(ProfilePath):
 
     def _height_at(self, z_mm: float) -> float:
         """Return the least height of the centre at a place z: above the whole path there; far below before it."""
-        turned = Curve(self.path.xy[:, ::-1].copy(), -self.path.bulge)
-        heights = [float(self.path.at_length(length)[0][1]) for length, _ in crossings_mm(turned, z_mm)]
+        crossed = crossings_mm(turned_over(self.path), z_mm)
+        heights = [float(self.path.at_length(length)[0][1]) for length, _ in crossed]
         return max(heights) if heights else float(self.path.xy[0, 1])
 
     def along_profile(self) -> dict[str, float]:
-        """Follow parallels of the profile, from outside the stock to the last."""
+        """Follow parallels of the profile where they lie in the stock, from the outermost to the last."""
         self.require_front(BEGIN_PASSES * self.ap_mm)
-        deep_mm = self.top_mm - float(self.path.points(0.01)[:, 1].min())
-        count = max(math.ceil(deep_mm / self.ap_mm - SAME_MM), 1)
+        leave_mm = self.distance_mm - self.nose_mm
+        deep_mm = thickest_mm(self.profile, self.top_mm - self.nose_mm, self.setup.face_mm) - leave_mm
+        count = even_passes(deep_mm, self.ap_mm, "ap_mm")
         self.moves.approach_front(self.front_mm, self.safe_mm)
         for number in range(count - 1, -1, -1):
             away_mm = self.distance_mm + number * deep_mm / count
             path = centre_path(self.profile, away_mm, self.safe_mm) if number else self.path
-            for stretch in below(path, self.top_mm):
+            for stretch in self._in_stock(path):
                 self._follow_stretch(path, stretch)
         self.out()
-        return {"passes": float(count), "ap_mm": round(deep_mm / count, 6)}
+        return {"passes": float(count), "ap_mm": round(max(deep_mm, 0.0) / count, 6)}
+
+    def _in_stock(self, path: Curve) -> list[Interval]:
+        """Return the stretches of a path on which the nose is below the raw surface and behind the raw end."""
+        crossed = crossings_mm(turned_over(path), self.setup.face_mm + self.nose_mm)
+        behind_mm = crossed[-1][0] if crossed else 0.0
+        found = below(path, self.top_mm)
+        return [(max(first, behind_mm), last) for first, last in found if last > behind_mm + SAME_MM]
 
     def _follow_stretch(self, path: Curve, stretch: Interval) -> None:
         """Cut along a stretch of a path, from before the stock, or down into it from beside it."""
         moves, (z, r) = self.moves, path.at_length(stretch[0])[0].tolist()
         self.leave(max(self.safe_mm, moves.r_mm + CLEAR_MM))
-        from_front = stretch[0] <= SAME_MM
+        from_front = stretch[0] <= SAME_MM or z > self.setup.face_mm + self.nose_mm - SAME_MM
         moves.rapid(max(self.front_mm, z) if from_front else z, moves.r_mm)
         if from_front:
             moves.rapid(moves.z_mm, r)
         moves.feed(z, r)
         moves.follow(path.part(*stretch))
+
+
+def turned_over(path: Curve) -> Curve:
+    """Return a path with z and r exchanged; lengths along it stay."""
+    return Curve(path.xy[:, ::-1].copy(), -path.bulge)
 
 
 def below(path: Curve, level_mm: float) -> list[Interval]:

@@ -15,6 +15,7 @@ from CNCStepper.cycles.turning.turning_operation import TurnThread
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
 from CNCStepper.errors import CycleError
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.tolerances import SAME_MM
 
 FLANK_CLEAR_DEG = 1.0  # by which the infeed is steeper than the flank, so that the other edge does not rub
 
@@ -25,6 +26,10 @@ def thread(operation: TurnThread, setup: TurningSetup, moves: TurningMoves) -> d
         what, advice = "a thread is cut with a threading tool", "use another tool"
         raise CycleError("thread-tool", what, value=setup.tool.kind, limit='kind = "threading"', advice=advice)
     cut = thread_cut(operation, setup.tool.is_inside, setup.rpm, setup.profile)
+    if setup.tool.pitch_mm and abs(setup.tool.pitch_mm - cut.form.pitch_mm) > SAME_MM:
+        what, value = "the insert is of another pitch than the thread", f"{setup.tool.pitch_mm:g} mm"
+        limit = f"{cut.form.pitch_mm:g} mm"
+        raise CycleError("thread-insert", what, value=value, limit=limit, advice="use an insert of that pitch")
     if setup.machine is not None:
         check_thread(cut, setup.machine)
     if setup.profile is not None:

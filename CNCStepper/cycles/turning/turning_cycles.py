@@ -13,7 +13,7 @@ from CNCStepper.cycles.turning.turn_finish import finish
 from CNCStepper.cycles.turning.turn_rough import rough
 from CNCStepper.cycles.turning.turn_thread import thread, thread_warnings
 from CNCStepper.cycles.turning.turning_moves import TurningMoves
-from CNCStepper.cycles.turning.turning_operation import TurningOperation, TurnThread
+from CNCStepper.cycles.turning.turning_operation import ALONG_PROFILES, TurningOperation, TurnThread
 from CNCStepper.cycles.turning.turning_setup import TurningAnswer, TurningSetup
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.turning_tool import TurningTool
@@ -28,7 +28,6 @@ CUT: dict[str, Callable[[Any, TurningSetup, TurningMoves], dict[str, float]]] = 
     "turn_rough": rough,
     "turn_thread": thread,
 }
-ALONG_PROFILES = ("turn_bore", "turn_finish", "turn_rough")
 
 
 def cut(number: int, operation: TurningOperation, setup: TurningSetup, moves: TurningMoves) -> TurningAnswer:

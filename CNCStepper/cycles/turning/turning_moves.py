@@ -10,13 +10,23 @@ Places are those of the nose's centre; the table gets the control point in the p
 from __future__ import annotations
 
 from dataclasses import replace
-from math import hypot
+from math import ceil, hypot
 
+from CNCStepper.cycles.passes import require_few_passes
 from CNCStepper.cycles.turning.turned_coordinates import Placement
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, ZX, TableBuilder
+
+
+def even_passes(deep_mm: float, most_mm: float, name: str) -> int:
+    """Return how many even passes of at most `most_mm` cut a depth, one at least; name: of the key that limits them.
+
+    Raises CycleError for more than `MOST_PASSES`.
+    """
+    require_few_passes(deep_mm, most_mm, name)
+    return max(ceil(deep_mm / most_mm - SAME_MM), 1)
 
 
 class TurningMoves:

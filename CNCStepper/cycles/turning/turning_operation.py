@@ -17,6 +17,7 @@ from CNCStepper.cycles.turning.turning_parameters import (
 )
 from CNCStepper.errors import JobError, Text
 
+ALONG_PROFILES = ("turn_bore", "turn_finish", "turn_rough")  # cycles that follow one
 FIXED_SPEED = ("turn_drill", "turn_thread")  # cycles on the axis, or in step with the spindle
 
 

@@ -4,7 +4,8 @@
     weakest                                                                        strongest
     inherited ──► attribute fill="…" ──► rules: * · tag · .class · #id ──► style="fill:…"
 
-Selectors of tags, classes and ids are known, with ancestors before them ("g.cut path"); others select nothing.
+Selectors of tags, classes, ids and attributes are known, with ancestors before them ("g.cut path[id]"). Others select
+nothing and are told; those of a pointer (":hover") never select anything in a drawing.
 """
 
 from __future__ import annotations
@@ -32,8 +33,11 @@ MOST_RULES = 5_000
 MOST_SHEET = 1_000_000  # characters of all <style> elements
 MOST_SELECTOR = 2_000  # characters
 MOST_TRIALS = 5_000_000  # of rules on elements
-SIMPLE = re.compile(r"(\*|[\w-]+)?((?:[.#][\w-]+)*)")
+ATTRIBUTE = r"\[([\w-]+)(?:([~|^$*]?=)[\"']?([\w.-]+)[\"']?)?\]"
+SIMPLE = re.compile(rf"(\*|[\w-]+)?((?:[.#][\w-]+|{ATTRIBUTE})*)")
 PART = re.compile(r"[.#][\w-]+")
+POINTED = re.compile(r":(?:hover|active|focus|visited|target)\b")
+MOST_UNKNOWN = 100
 SIZE = 16.0  # of CSS: medium
 LARGEST_SIZE = 1e6
 SIZES = {
@@ -96,11 +100,12 @@ class Style(dict[str, str]):
 
 @dataclass(frozen=True)
 class _Compound:
-    """A selector of one element: tag ("" for any), id and classes."""
+    """A selector of one element: tag ("" for any), id, classes, and attributes with comparison and value."""
 
     tag: str
     ids: frozenset[str]
     classes: frozenset[str]
+    attributes: tuple[tuple[str, str, str], ...] = ()
 
     def matches(self, element: Element) -> bool:
         """Return whether it selects an element."""
@@ -108,7 +113,11 @@ class _Compound:
             return False
         if self.ids and self.ids != {element.get("id")}:
             return False
-        return not self.classes or self.classes <= set(element.get("class").split())
+        if self.classes and not self.classes <= set(element.get("class").split()):
+            return False
+        return all(
+            name in element.attributes and _compares(element.get(name), *wanted) for name, *wanted in self.attributes
+        )
 
 
 @dataclass(frozen=True)
@@ -125,6 +134,7 @@ class StyleSheet:
         self._rules: dict[str, list[_Rule]] = defaultdict(list)
         self._kept: dict[tuple[str, str, str], tuple[tuple[str, str], ...]] = {}
         self._nested, self._trials = False, 0
+        self.unknown: list[str] = []  # selectors that select nothing here
         self.made: dict[tuple[Any, ...], tuple[Style, Style]] = {}  # see `styled`; the first keeps its id from others
         for number, rule in enumerate(_without_comments(text[:MOST_SHEET]).split("}")[:MOST_RULES]):
             selectors, _, body = rule.rpartition("{")
@@ -154,11 +164,16 @@ class StyleSheet:
     def _add(self, selector: str, style: tuple[tuple[str, str], ...], number: int) -> None:
         chain = tuple(_compounds(selector))
         if not chain or None in chain:
+            if chain and not POINTED.search(selector) and len(self.unknown) < MOST_UNKNOWN:
+                self.unknown.append(selector.strip())
             return
         compounds = [compound for compound in chain if compound is not None]
-        self._nested = self._nested or len(compounds) > 1
+        self._nested = self._nested or len(compounds) > 1 or any(each.attributes for each in compounds)
         last = compounds[-1]
-        ids, classes = sum(len(each.ids) for each in compounds), sum(len(each.classes) for each in compounds)
+        ids, classes = (
+            sum(len(each.ids) for each in compounds),
+            sum(len(each.classes) + len(each.attributes) for each in compounds),
+        )
         order = ids, classes, sum(bool(each.tag) for each in compounds), number
         key = "#" + min(last.ids) if last.ids else "." + min(last.classes) if last.classes else last.tag or "*"
         self._rules[key].append(_Rule(order, tuple(compounds), style))
@@ -173,10 +188,25 @@ def _compounds(selector: str) -> Iterator[_Compound | None]:
     """Yield the parts of a selector; None for one that is not known."""
     for word in selector.replace(">", " ").split():
         match = SIMPLE.fullmatch(word)
-        parts = PART.findall(match[2]) if match else []
+        attributes = tuple(re.findall(ATTRIBUTE, match[2])) if match else ()
+        parts = PART.findall(re.sub(ATTRIBUTE, "", match[2])) if match else []
         names = {mark: frozenset(part[1:] for part in parts if part[0] == mark) for mark in ".#"}
         tag = (match[1] or "") if match else ""
-        yield _Compound("" if tag == "*" else tag, names["#"], names["."]) if match else None
+        yield _Compound("" if tag == "*" else tag, names["#"], names["."], attributes) if match else None
+
+
+def _compares(value: str, how: str, wanted: str) -> bool:
+    """Return whether an attribute's value is what a selector wants of it."""
+    tests = {
+        "": True,
+        "=": value == wanted,
+        "~=": wanted in value.split(),
+        "|=": value == wanted or value.startswith(wanted + "-"),
+        "^=": value.startswith(wanted),
+        "$=": value.endswith(wanted),
+        "*=": wanted in value,
+    }
+    return tests[how]
 
 
 def _selected(rule: _Rule, element: Element, ancestors: list[Element]) -> bool:

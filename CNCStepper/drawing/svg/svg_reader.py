@@ -63,6 +63,7 @@ SVG_WARNINGS = {
     "marker": "{count} lines have markers, which are not read",
     "path-end": "{count} texts are longer than their path; letters beyond it are left out: {names}",
     "path": "{count} paths are damaged and read up to the damage",
+    "selector": "{count} rules of style are not applied, because of their selectors: {names}",
     "transform": "{count} transforms are damaged and not applied",
 }
 
@@ -132,6 +133,9 @@ class _Walk:
         self._told: Counter[str] = Counter()
         self._names: dict[str, dict[str, None]] = {}
         self._skipped: list[tuple[int, Skipped]] = []
+        for selector in self._sheet.unknown:
+            self._told["selector"] += 1
+            self._names.setdefault("selector", {})[printable(selector, 40)] = None
 
     def pieces(self, matrix: Matrix) -> ChainColumns:
         """Return the pieces of the whole drawing; raises JobError where its curves are too many for the tolerance."""

@@ -27,8 +27,11 @@ from CNCStepper.gcode.edit.word_values import (
     kinds,
     owner,
 )
+from CNCStepper.tolerances import SAME_MATRIX_SCALE
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 from CNCStepper.units import UNIT_MM
+
+SYNCHRONISED = ("G33", "G33.1")  # whose feed follows the spindle
 
 
 class LineWords:
@@ -66,7 +69,7 @@ class LineWords:
         """Return a word's value in mm; without the word the tool's position (`axis`), or 0 for a distance."""
         token = self.words.get(letter)
         if token is not None:
-            return Value.of(token, self.from_mm)
+            return Value.of(token, self.from_mm * self._share(letter))
         if axis < 0:
             return Value(0.0)
         if math.isnan(self.meaning.begin[axis]) or self.meaning.compensated:
@@ -77,20 +80,24 @@ class LineWords:
             raise self.refused("edit-place", what, self.tokens[-1], Text("add {letter} to the line", letter=letter))
         return Value(self.meaning.begin[axis])
 
+    def _share(self, letter: str) -> float:
+        """Return by how much a word's length is a coordinate's: half of one that is a diameter."""
+        return 0.5 if letter == "X" and self.meaning.diameter else 1.0
+
     def put(self, letter: str, value: Value, axis: int, add_carry: bool = False) -> None:
         """Write a value (mm) in its word's place, or beside its neighbour; `axis` keeps the rounding error."""
         decimals = self.state.decimals(self.units)
-        carry = self.state.carry_mm
+        carry, to_mm = self.state.carry_mm, self.to_mm * self._share(letter)
         if axis >= 0 and value.is_number:
             exact = value.number + (carry[axis] if add_carry else 0.0)
-            step = self.to_mm / 10**decimals
+            step = to_mm / 10**decimals
             counts = round(exact / step)
             carry[axis] = exact - counts * step
             value = Value(counts * step)
         elif axis >= 0:
             carry[axis] = 0.0
         token = self.words.get(letter)
-        text = value.times(1.0 / self.to_mm).text(decimals, self._like(token))
+        text = value.times(1.0 / to_mm).text(decimals, self._like(token))
         if token is None:
             self.insert(letter, text)
         elif not self._says(token, value, decimals):
@@ -98,9 +105,10 @@ class LineWords:
 
     def _says(self, token: Token, value: Value, decimals: int) -> bool:
         """Whether a word has the new number already."""
+        share = self._share(token.letter)
         if token.number is None or not value.is_number:
-            return value.is_same(token, self.from_mm) and self.from_mm == self.to_mm
-        return abs(token.number - value.number / self.to_mm) < 0.5 * 10.0**-decimals * 1e-3
+            return value.is_same(token, self.from_mm * share) and self.from_mm == self.to_mm
+        return abs(token.number - value.number / (self.to_mm * share)) < 0.5 * 10.0**-decimals * 1e-3
 
     def _like(self, token: Token | None) -> str:
         """Return the number after whose form the new one is written; in another unit it has its own."""
@@ -256,6 +264,7 @@ class Line(ArcWords):
                 "edit-code", Text("the words of {codes} are not edited", codes=self._codes()), self.tokens[0]
             )
         self._check_axes()
+        self._check_lead()
         by_kind: dict[str, list[str]] = {}
         for letter in lengths:
             by_kind.setdefault((found or {})[letter], []).append(letter)
@@ -266,6 +275,14 @@ class Line(ArcWords):
         self._unit_words()
         self._leave(by_kind)
         return self.made
+
+    def _check_lead(self) -> None:
+        """Refuse to scale a cut that follows the spindle: its lead would stay."""
+        scale = self.where.scale
+        if self.owner in SYNCHRONISED and (scale is None or abs(scale - 1.0) > SAME_MATRIX_SCALE):
+            what = Text("a thread keeps its lead: a path with {owner} is not scaled", owner=self.owner)
+            token = self.words.get("K", self.tokens[0])
+            raise self.refused("edit-thread", what, token, "make the program again with the new thread")
 
     def _places(self, letters: list[str]) -> None:
         if not letters:

@@ -28,7 +28,7 @@ class Meaning(NamedTuple):
     """The modes after a line's own codes, and the place before it.
 
     units, feed_units: of lengths and of F. motion: by name, "G80" for none. begin: work coordinates in mm, NaN where
-    unknown. compensated: whether a compensation of the tool's radius is on.
+    unknown. compensated: whether a compensation of the tool's radius is on. diameter: whether X words are diameters.
     """
 
     units: str
@@ -39,6 +39,7 @@ class Meaning(NamedTuple):
     motion: str
     inverse_time: bool
     compensated: bool
+    diameter: bool
     begin: tuple[float, ...]
 
     @property
@@ -143,6 +144,7 @@ class Source:
             motion=MOTION_NAMES[reader.model.motion],
             inverse_time=state.feed_mode == "inverse_time",
             compensated=is_compensated(reader),
+            diameter=reader.model.diameter,
             begin=begin,
         )
 

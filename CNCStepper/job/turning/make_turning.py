@@ -20,6 +20,7 @@ from CNCStepper.cycles.turning.turning_setup import TurningAnswer, TurningSetup
 from CNCStepper.errors import CNCStepperError, CycleError, JobError, Place
 from CNCStepper.gcode.dialects import Dialect, dialect
 from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
+from CNCStepper.job.turning.bar_limits import require_in_bar
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.turning_tool import TurningTool
@@ -140,6 +141,7 @@ def _setups(job: TurningJob, machine: Machine) -> Iterator[tuple[TurningOperatio
     for number, operation in enumerate(job.operation, start=1):
         tool, profile = job.tools[operation.tool], job.curves.get(getattr(operation, "profile", ""))
         try:
+            require_in_bar(number, job, bore_mm)
             rpm = spindle_speed(operation, job, machine)
             surface = _surface_speed(operation, job, machine, rpm)
             feed_mm_rev = _feed_mm_rev(operation, tool)
@@ -197,6 +199,9 @@ def spindle_speed(operation: TurningOperation, job: TurningJob, machine: Machine
     if rpm > most:
         what, value = "the spindle does not turn so fast", f"{rpm:g} rpm"
         raise CycleError("speed-high", what, value=value, limit=f"{most:g} rpm", advice="lower spindle_rpm")
+    if rpm < spindle.min_rpm:
+        what, value = "the spindle does not turn so slowly", f"{rpm:.4g} rpm"
+        raise CycleError("speed-low", what, value=value, limit=f"{spindle.min_rpm:g} rpm", advice="raise spindle_rpm")
     return nearest_preset_rpm(spindle.preset_rpm, rpm)
 
 

@@ -20,10 +20,10 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, model_validator
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, model_validator
 from shapely import LineString
 
 from CNCStepper.errors import JobError, Place, placed
@@ -60,7 +60,11 @@ class Corner(BaseModel):
         return self
 
 
-Row = Annotated[Pair | Corner, Field(union_mode="left_to_right")]
+def _kind(row: Any) -> str:
+    return "corner" if isinstance(row, Corner | dict) else "point"
+
+
+Row = Annotated[Annotated[Pair, Tag("point")] | Annotated[Corner, Tag("corner")], Discriminator(_kind)]
 
 
 class ProfileForm(BaseModel):
@@ -154,6 +158,11 @@ def _of_points(rows: tuple[Row, ...], x_is: Xis) -> Curve:
         turns += [0.0, bulge]
     lengths = np.hypot(*np.diff(np.array(points), axis=0).T)
     keep = np.concatenate([[True], lengths > SAME_MM])
+    if keep.sum() < 2:
+        what = "the points of the profile lie at one place"
+        raise JobError(
+            "profile-short", what, value=f"{lengths.sum():g} mm long", limit="above 0 mm", advice="redraw it"
+        )
     return Curve(np.array(points)[keep], np.array(turns)[lengths > SAME_MM])
 
 

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The proof of a lathe program without its job: bar and tools come from whoever asks, and no profile is wanted."""
+"""The proof of a lathe program that was not made just now.
+
+Without a job bar and tools come from whoever asks, and no profile is wanted; with one it is one of the job's programs,
+on the part that those before it have cut.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +12,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import numpy as np
+
 from CNCStepper.errors import JobError, Text
 from CNCStepper.gcode.dialects import dialect as dialect_named
+from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.gcode.lathe.diameter_mode import x_is
 from CNCStepper.job.prove import Proof, prove, with_findings
-from CNCStepper.job.turning.make_turning import in_part, placement_of
+from CNCStepper.job.turning.make_turning import TurnedProgram, in_part, is_split_turning, make_turning, placement_of
+from CNCStepper.job.turning.prove_turning import prove_turning
 from CNCStepper.job.turning.report import TurnedVerdict, judge_turning, setup_of
 from CNCStepper.job.turning.turning_job import TurningJob, load_turning_job
 from CNCStepper.machine.profile import Machine
@@ -24,6 +32,7 @@ from CNCStepper.simulation.turning.swept_outline import moves_of
 from CNCStepper.simulation.turning.tool_section import ToolSection
 from CNCStepper.simulation.turning.turning_checks import TurningSetup
 from CNCStepper.state import Start, ToolEntry
+from CNCStepper.toolpath import Toolpath
 
 CHUCK_SHARE = 2.0  # diameter of the chuck where it is not known, by that of the bar
 
@@ -72,24 +81,58 @@ def prove_turned(
 
 
 def prove_text_of_job(
-    text: str, job_path: Path, *, file: str = "", dialect: str = "", start: Start | None = None
+    text: str,
+    job_path: Path,
+    machine: Machine | None = None,
+    *,
+    part: int | None = None,
+    file: str = "",
+    dialect: str = "",
+    start: Start | None = None,
 ) -> tuple[Proof, TurnedVerdict]:
-    """Return the same of the whole program of a lathe's job file; raises JobError and ProgramError."""
-    job, machine = load_turning_job(job_path)
+    """Return the same of a program of a lathe's job file, behind those that cut before it.
+
+    machine: in place of the job's own. part: which of the job's programs the text is, from 1; None finds the one that
+    makes the same moves. Raises JobError and ProgramError.
+    """
+    job, own = load_turning_job(job_path)
+    machine = machine or own
+    if is_split_turning(job, machine):
+        programs = _as_part(text, job, machine, part, dialect)
+        *_, last = prove_turning(job, machine, programs, Path(), file, start, dialect)
+        return last.proof, last.verdict
+    if part is not None:
+        what, advice = "the job has one program for all its tools", "leave --part out"
+        raise JobError("turning-part", what, value=str(part), limit="1", advice=advice)
     if "T" not in dialect_named(machine.language(dialect)).letters:
-        start = replace(start or Start(), tool=_only_tool(job))
+        start = replace(start or Start(), tool=job.operation[0].tool)
     proof = prove(text, machine, file=file, dialect=dialect, start=start)
     path = in_part(proof.toolpath, placement_of(job, machine))
     return _joined(proof, judge_turning(moves_of(path), setup_of(job, file), job.x_is))
 
 
-def _only_tool(job: TurningJob) -> int:
-    """Return the tool of a job whose programs name none; raises JobError where each of several has its own program."""
-    numbers = sorted({operation.tool for operation in job.operation})
-    if len(numbers) > 1:
-        what = Text("the job has a program for each of {count} tools, one after the other", count=len(numbers))
-        raise JobError("turning-part", what, advice="prove them together: cncstepper run JOB")
-    return int(numbers[0])
+def _as_part(text: str, job: TurningJob, machine: Machine, part: int | None, dialect: str) -> list[TurnedProgram]:
+    """Return the job's programs up to one, this text in place of that; raises JobError where it is none of them."""
+    made = make_turning(job, machine)
+    if part is None:
+        moves = interpret(text, Start(), dialect=machine.language(dialect))
+        same = [one.number for one in made if same_moves(interpret(one.program, Start(), machine.language()), moves)]
+        part = same[0] if len(same) == 1 else None
+    if part is None or part > len(made):
+        what = Text("the job has {count} programs, one a tool, and this is not one of them", count=len(made))
+        names = ", ".join(f"{one.number} = tool {one.tool}" for one in made)
+        advice = "make them with `cncstepper run`, or check it with --part"
+        raise JobError("turning-part", what, value=str(part or ""), limit=names, advice=advice)
+    return [*made[: part - 1], replace(made[part - 1], program=text)]
+
+
+def same_moves(one: Toolpath, other: Toolpath) -> bool:
+    """Return whether two programs make the same moves, whatever their lines look like."""
+    first, second = one.table(), other.table()
+    return len(first) == len(second) and all(
+        np.array_equal(getattr(first, name), getattr(second, name), equal_nan=name != "kind")
+        for name in ("kind", "end", "feed")
+    )
 
 
 def tools_of_table(entries: Mapping[int, ToolEntry]) -> dict[int, TurningTool]:

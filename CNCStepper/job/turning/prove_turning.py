@@ -44,16 +44,19 @@ def prove_turning(
     folder: Path,
     name: str = "",
     start: Start | None = None,
+    last_dialect: str = "",
 ) -> Iterator[TurnedProof]:
     """Yield the proof of each program of a job, in their order; `folder` is where their files are.
 
-    name: of all of them in findings, "" for their files'. start: of the machine, where it is known.
+    name: of all of them in findings, "" for their files'. start: of the machine, where it is known. last_dialect: of
+    the last program, where it is not the machine's.
     """
     before: list[Toolpath] = []
     done = rows = 0
     for program in programs:
         file = name or str(folder / program.file_name)
-        proof = prove(program.program, machine, file=file, start=_start(program, machine, start))
+        language = last_dialect if program is programs[-1] else ""
+        proof = prove(program.program, machine, file=file, dialect=language, start=_start(program, machine, start))
         before.append(in_part(proof.toolpath, placement_of(job, machine)))
         done += len(program.answers)
         so_far = job.model_copy(update={"operation": job.operation[:done]})

@@ -32,12 +32,13 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, StrictBool, model_validator
 
-from CNCStepper.cycles.turning.turning_operation import TurningOperation, turning_operation_class
+from CNCStepper.cycles.turning.turning_operation import ALONG_PROFILES, TurningOperation, turning_operation_class
 from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.model import machine_path
 from CNCStepper.job.turning.profile_form import Pair, ProfileForm, Xis
 from CNCStepper.machine.files.toml_reader import read_toml
+from CNCStepper.machine.materials import turned_materials
 from CNCStepper.machine.profile import Machine, load_machine, validated
 from CNCStepper.machine.tools.turning_tool import TurningTool
 from CNCStepper.quantities import MOST_ITEMS, Bounds, Length, LengthOr0, TipAngle, Width, WidthOr0
@@ -117,16 +118,33 @@ class TurningJob(_Checked):
                 what = "operation {number} uses tool {tool}, which the job does not have: it has {tools}"
                 known = ", ".join(map(str, self.tools))
                 raise ValueError(Text(what, number=number, tool=operation.tool, tools=known))
-            profile = getattr(operation, "profile", None)
-            if profile and profile not in names:
+            profile = getattr(operation, "profile", "")
+            if profile not in names and (profile or operation.cycle in ALONG_PROFILES):
                 what = "operation {number} turns the profile '{profile}', which the job does not have: it has {names}"
                 known = ", ".join(names) or "none"
                 raise ValueError(Text(what, number=number, profile=profile, names=known))
+        self._check_chuck_and_start()
+        if self.material and self.material not in (materials := turned_materials()):
+            what = "no material of turning is called '{name}': it may be {names}"
+            raise ValueError(Text(what, name=self.material, names=", ".join(materials)))
         z = self.start_zr[0]
         if z < self.stock.face_mm and self.start_zr[1] < self.stock.diameter_mm / 2:
             what = "the start is in the stock: its z must be at least {face:g} mm, or its x outside {diameter:g} mm"
             raise ValueError(Text(what, face=self.stock.face_mm, diameter=self.stock.diameter_mm))
         return self
+
+    def _check_chuck_and_start(self) -> None:
+        """Raise ValueError for jaws longer than the bar, or a start over the axis or between the jaws."""
+        jaw_mm, length_mm, (z, r) = self.chuck.jaw_mm, self.stock.length_mm, self.start_zr
+        if jaw_mm >= length_mm + self.stock.face_mm:
+            what = "the jaws are longer than the bar: jaw_mm must be below {most:g} mm"
+            raise ValueError(Text(what, most=length_mm + self.stock.face_mm))
+        if r < 0:
+            raise ValueError(Text("the start lies over the axis: its x is {x:g} mm, it must be at least 0", x=r))
+        widest_mm = max(self.chuck.diameter_mm, self.chuck.jaw_diameter_mm)
+        if z < jaw_mm - length_mm and r < widest_mm / 2:
+            what = "the start is in the chuck: its z must be at least {z:g} mm, or its x outside {diameter:g} mm"
+            raise ValueError(Text(what, z=jaw_mm - length_mm, diameter=widest_mm))
 
     @property
     def tools(self) -> dict[int, TurningTool]:

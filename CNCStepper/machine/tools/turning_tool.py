@@ -198,6 +198,11 @@ class TurningTool(BaseModel):
         return f"{self.kind} {name}"
 
     @property
+    def pitch_mm(self) -> float:
+        """The one pitch of a threading insert; 0 where it cuts several."""
+        return self._insert.pitch_mm if self._insert else 0.0
+
+    @property
     def edge_mm(self) -> float:
         """The length of its cutting edges."""
         if self.edge_length_mm:
@@ -285,9 +290,13 @@ class TurningTool(BaseModel):
             outline = [vertex for place, vertex in enumerate(outline) if place not in (1, 3)]
         return _mirrored(outline) if self.is_inside else tuple(outline)
 
+    @property
+    def point_mm(self) -> float:
+        """The length of a drill's point."""
+        return self.diameter_mm / 2 / math.tan(math.radians(self.point_angle_deg / 2))
+
     def _drill(self) -> Outline:
-        radius_mm, reach_mm = self.diameter_mm / 2, self.reach_mm or SHANK_REACH_MM
-        point_mm = radius_mm / math.tan(math.radians(self.point_angle_deg / 2))
+        radius_mm, reach_mm, point_mm = self.diameter_mm / 2, self.reach_mm or SHANK_REACH_MM, self.point_mm
         return (
             (0.0, 0.0, 0.0),
             (point_mm, -radius_mm, 0.0),

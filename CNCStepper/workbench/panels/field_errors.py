@@ -33,6 +33,22 @@ BY_CODE = {  # of errors that speak of several keys
     "text-glyph": "text",
     "text-script": "text",
     "text-empty": "text",
+    **dict.fromkeys(("blade-width", "groove-width"), "width_mm"),
+    **dict.fromkeys(("groove-depth", "thread-crest", "thread-wide"), "diameter_mm"),
+    **dict.fromkeys(("groove-outside", "part-outside", "thread-outside"), "z_mm"),
+    **dict.fromkeys(("drill-deep", "drill-reach"), "depth_mm"),
+    **dict.fromkeys(("thread-length", "thread-cylinder"), "length_mm"),
+    "thread-axis": "taper_deg",
+    **dict.fromkeys(("thread-speed", "speed-missing", "speed-high", "speed-low"), "spindle_rpm"),
+    **dict.fromkeys(("feed-missing", "feed-high", "feed-low"), "feed_mm_rev"),
+    "ap-high": "ap_mm",
+    "face-outside": "to_z_mm",
+    "face-diameter": "to_diameter_mm",
+    "surface-speed": "constant_surface_speed",
+    **dict.fromkeys(("profile-outside", "profile-begin", "bore-wide", "bore-deep"), "drawings"),
+    **dict.fromkeys(("blade-tool", "blade-reach", "drill-tool", "drill-wide", "face-tool", "part-tool"), "tool"),
+    **dict.fromkeys(("thread-tool", "thread-insert", "profile-tool", "bore-tool", "bore-narrow"), "tool"),
+    **dict.fromkeys(("insert-front", "insert-back", "nose-radius"), "tool"),
 }
 NOT_BETWEEN = later("must be 0, or at least {0}")
 SENTENCES = {

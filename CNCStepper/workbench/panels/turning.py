@@ -70,10 +70,9 @@ class TurnedMaterialField(ChoiceField):
 
     def choices(self) -> list[tuple[Any, str]]:
         """Return none, and the materials of turning."""
-        from CNCStepper.machine.materials import material, material_names
+        from CNCStepper.machine.materials import turned_materials
 
-        known = [name for name in material_names() if material(name).turning is not None]
-        return [("", words_of("none")), *((name, words_of(name)) for name in known)]
+        return [("", words_of("none")), *((name, words_of(name)) for name in turned_materials())]
 
 
 class LatheJobPanel(ProgramJobPanel):

@@ -297,3 +297,13 @@ def test_an_empty_drawing_is_refused_with_what_it_holds(tmp_path: Path) -> None:
     with pytest.raises(JobError) as refusal:
         drawing(tmp_path, '<image id="a" width="9" height="9"/>')
     assert refusal.value.code == "svg-empty" and "picture" in str(refusal.value.value)
+
+
+def test_rules_select_by_attributes_and_unknown_selectors_are_told(tmp_path: Path) -> None:
+    body = """<style>rect {fill:none} [id^=cut] {stroke:red} rect[id="b"], rect:hover {stroke:#00f}
+    rect[class~=two], rect[data-x] {stroke:lime} rect:last-child {display:none}</style>
+    <rect id="cut1" width="5" height="5"/><rect id="b" x="10" width="5" height="5"/>
+    <rect class="one two" x="20" width="5" height="5"/><rect id="c" x="30" width="5" height="5" stroke="black"/>"""
+    read = drawing(tmp_path, body)
+    assert [chain.attributes.colour for chain in read.chains] == ["#ff0000", "#0000ff", "#00ff00", "#000000"]
+    assert read.warnings == ("1 rules of style are not applied, because of their selectors: rect:last-child",)

@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import json
+import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from helpers.cli.command_line import called
+from CNCStepper.gcode.interpreter.interpret import interpret
+from helpers.cli.command_line import called, command, forked
 
 HEAD = ("G21 G18 {mode} G90 G94", "T1 M6", "S1000 M3", "G4 P3")
 MOVES = (("G0", 30, 5), ("G0", 25, 5), ("G1", 25, -40), ("G1", 29, -38), ("G0", 30, 5))
@@ -145,5 +147,48 @@ def test_a_lathe_s_job_gives_stock_tool_and_profile(tmp_path: Path) -> None:
     assert "Z-20: diameter 50.0000 mm" in ended.stdout, ended.stdout + ended.stderr
     assert "X is a radius" in ended.stdout
     assert "[gouge]" not in ended.stdout
+
+
+def test_each_program_of_a_lathe_s_job_is_checked_behind_those_before_it(tmp_path: Path) -> None:
+    """A program is found among those of its job by its moves; one that is none of them needs --part."""
+    job, out = tmp_path / "job.toml", tmp_path / "out"
     job.write_text(JOB.format(operations=f"{FINISH}, {PART}"))
-    assert "[turning-part]" in called("check", program, "--job", job, "--machine", "mini-lathe").stderr
+    assert called("run", job, "--out", out).returncode == 0
+    report = tmp_path / "report.json"
+    for program in ("program-1-T1.nc", "program-2-T2.nc"):
+        ended = called("check", out / program, "--job", job, "--machine", "mini-lathe", "--json", report)
+        assert ended.returncode == 0 and "clean" in ended.stdout, ended.stdout + ended.stderr
+    assert json.loads(report.read_text("utf-8"))["profile"] == json.loads((out / "report.json").read_text())["profile"]
+    other = out / "program-2-T2.nc"
+    other.write_text(other.read_text().replace("X-32.5", "X-32.4"))
+    ended = called("check", other, "--job", job, "--machine", "mini-lathe")
+    assert "[turning-part]" in ended.stderr and "1 = tool 1, 2 = tool 2" in ended.stderr
+    ended = called("check", other, "--job", job, "--machine", "mini-lathe", "--part", 2)
+    assert ended.returncode == 0 and "clean" in ended.stdout, ended.stdout + ended.stderr
+    refused = called("check", other, "--job", job, "--machine", "mini-lathe", "--part", 3)
+    assert "[turning-part]" in refused.stderr
+
+
+def test_the_programs_of_a_lathe_s_job_are_sent_one_after_the_other(tmp_path: Path) -> None:
+    """With the job alone: each is proven behind those before it, and the lathe is switched off and on between them."""
+    job, out = tmp_path / "job.toml", tmp_path / "out"
+    fast = [words.replace("feed_mm_rev = 0.2", "feed_mm_rev = 2").replace("0.1", "2") for words in (FINISH, PART)]
+    job.write_text(JOB.format(operations=", ".join(fast)).replace("-40", "-10").replace("-45", "-15"))
+    assert called("run", job, "--out", out).returncode == 0
+    for program in ("program-1-T1.nc", "program-2-T2.nc"):
+        trace = tmp_path / f"{program}.csv"
+        virtual = ("virtual", "lathe", "--tcp", "127.0.0.1:0", "--until-left", "--trace", trace)
+        with subprocess.Popen(
+            command(*virtual), stdout=subprocess.PIPE, text=True, preexec_fn=forked(*virtual)
+        ) as lathe:
+            port = lathe.stdout.readline().split()[-1]
+            ended = called("send", out / program, "--job", job, "--port", port, "--zero-confirmed", "--keep-open", "0")
+            assert ended.returncode == 0, ended.stdout + ended.stderr
+            lathe.wait(60)
+        steps = np.rint(80 * np.abs(np.diff(np.loadtxt(trace, delimiter=",", skiprows=1)[:, 1:], axis=0))).sum(axis=0)
+        ends = interpret((out / program).read_text(), None, "mini-lathe").table().end[:, [0, 2]]
+        assert steps.tolist() == np.abs(np.diff(np.rint(80 * ends), axis=0, prepend=[[0, 0]])).sum(axis=0).tolist()
+    bad = out / program
+    bad.write_text(bad.read_text().replace("X-32.5", "X-32.4"))
+    ended = called("send", bad, "--job", job, "--port", "/dev/null", "--zero-confirmed")
+    assert ended.returncode == 1 and "[turning-part]" in ended.stderr

@@ -7,12 +7,10 @@ import random
 
 import pytest
 
-from CNCStepper.controllers.lathe.board import LatheBoard
 from CNCStepper.gcode.wire.encoder import prepare
-from CNCStepper.machine.profile import load_machine
-from CNCStepper.virtual.lathe.machine import Lathe, Mode
+from CNCStepper.virtual.lathe.machine import Mode
+from helpers.controllers.lathe_twin import LatheAtTwin
 
-STEP_S = 0.0015
 PUBLISHED = {
     "rapids": "N30 G00 X-10. # N40 Z-50. # N50 X5000 Z50. #\nM02 #\n",
     "feeds": "N30 G01X-10. F1. # N40 Z-50. # N50 X5000 Z50. F2500 #\nM02 #\n",
@@ -21,56 +19,9 @@ PUBLISHED = {
 }
 
 
-class Bench:
-    """A board whose port is a virtual lathe; both on one clock."""
-
-    note = ""
-
-    def __init__(self) -> None:
-        self.twin = Lathe(load_machine("mini-lathe"))
-        self.time_s, self.sent, self.said = 0.0, b"", ""
-        self._waiting = b""
-        self.board = LatheBoard(load_machine("mini-lathe"), self)
-
-    def write(self, data: bytes) -> None:
-        self.sent += data
-        self._waiting += data
-        self._pass_on()
-
-    def check(self) -> None:
-        """Nothing breaks here."""
-
-    def close(self) -> None:
-        """Nothing to give back."""
-
-    def wait(self, seconds: float) -> None:
-        end_s = self.time_s + seconds
-        while self.time_s < end_s:
-            self.time_s += STEP_S
-            self.twin.advance(self.time_s)
-            self._pass_on()
-            self.board.advance(STEP_S)
-        self.said += self.board.take_output().decode("ascii")
-
-    def send(self, text: str, seconds: float = 0.01) -> None:
-        self.board.receive(text.encode("ascii"))
-        self.wait(seconds)
-
-    def finish(self) -> None:
-        self.wait(0.1)
-        while self.board.state != "Idle":
-            self.wait(0.1)
-            assert self.time_s < 500.0
-
-    def _pass_on(self) -> None:
-        count = self.twin.room
-        self.twin.receive(self._waiting[:count], self.time_s, self.time_s)
-        self._waiting = self._waiting[count:]
-
-
 @pytest.mark.parametrize("program", PUBLISHED.values(), ids=PUBLISHED)
 def test_published_records_end_where_they_are_reckoned_to_end(program: str) -> None:
-    bench = Bench()
+    bench = LatheAtTwin()
     for line in prepare(program, "mini-lathe").lines:
         bench.send(f"{line}\n")
     bench.finish()
@@ -84,7 +35,7 @@ def test_random_records_are_reckoned_step_for_step_and_the_buffer_never_fills() 
     seed = random.randrange(10**9)
     print("seed", seed)
     dice = random.Random(seed)
-    bench = Bench()
+    bench = LatheAtTwin()
     kinds = set()
     for _ in range(60):
         way = "".join(f"{axis}{dice.uniform(-2, 2):.4f}" for axis in dice.choice(("X", "Z", "XZ")))
@@ -98,7 +49,7 @@ def test_random_records_are_reckoned_step_for_step_and_the_buffer_never_fills() 
 
 @pytest.mark.parametrize(("line", "steps"), [("X-1.5F120", 0), ("Z2F60", 0), ("X3F1400", 4), ("Z-.1F1400", 4)])
 def test_jogs_go_their_way(line: str, steps: int) -> None:
-    bench = Bench()
+    bench = LatheAtTwin()
     bench.send(f"$J=G91{line}\n", 0.05)
     bench.finish()
     bench.wait(0.2)
@@ -110,7 +61,7 @@ def test_jogs_go_their_way(line: str, steps: int) -> None:
 
 
 def test_zero_by_hand_and_a_program_from_there() -> None:
-    bench = Bench()
+    bench = LatheAtTwin()
     bench.send("$J=G91X-2F120\n$J=G91Z1F120\n", 0.05)
     bench.finish()
     bench.send("G10L20P1X0Z0\nG90#\nG00X1.Z-1.#\n", 0.1)
@@ -119,7 +70,7 @@ def test_zero_by_hand_and_a_program_from_there() -> None:
 
 
 def test_what_a_hold_leaves_is_cut_and_no_more() -> None:
-    bench = Bench()
+    bench = LatheAtTwin()
     for _ in range(12):
         bench.send("G01X-.5F1.#\n")
     bench.wait(1.0)

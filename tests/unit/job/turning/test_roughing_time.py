@@ -13,7 +13,7 @@ from CNCStepper.simulation.turning.swept_outline import moves_of
 from helpers.cycles.seeds import SEEDS
 from helpers.job.random_turning import STOCK_MM, random_job
 
-WAYS = [{}, {"inside": True}, {"along": "x"}, {"inside": True, "along": "x"}]
+WAYS = [{"inside": inside, "along": along} for along in ("z", "x", "profile") for inside in (False, True)]
 MOST_SHARE = 1.10
 FEED_MM_MIN = 100.0  # 0.2 mm at 500 rpm
 
