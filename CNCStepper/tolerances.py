@@ -43,6 +43,7 @@ SAME_TRANSLATED_FEED = 0.001  # feeds of a program and of its translation, in mm
 SAME_CURVE_MM = 1e-3  # curves that are nearer than this everywhere are one that is drawn twice
 SAME_HOLE_MM = 1e-3  # centres of two holes of a pattern that are one hole
 TOUCHING_MM = 1e-3  # a point that is nearer to a boundary is on neither side of it
+COMMON_LINE_MM = 0.002  # edges of nested parts that face each other a kerf apart, so that one cut serves both
 SAME_THICKNESS_MM = 0.005  # thicknesses of a cut chart and of a job
 CLOSED_CONTOUR_MM = 0.002  # begin and end of a contour that is closed
 SAME_CONVERTED_FEED = 0.0051  # feeds of a program and of its conversion, by their share: a rounded last digit

@@ -3,7 +3,8 @@
 
     items, sheets ──► one group for each stock ──► in order: priority, then area ──► first layout (sheet_filling.py)
                       ──► strips, cut to the sheets (sheet_packing.py) ──► orders changed at random, the best is kept
-                      ──► slid together (compaction.py) ──► filling items ──► judged (judge.py) ──► Layout
+                      ──► slid together (compaction.py), for common lines edge to edge (edge_snapping.py)
+                      ──► filling items ──► judged (judge.py) ──► Layout
 
 Locked parts lie first. A stop, or the end of the budget, gives the best layout so far.
 """
@@ -17,6 +18,7 @@ from dataclasses import dataclass
 
 from CNCStepper.errors import Text
 from CNCStepper.nesting.compaction import compacted
+from CNCStepper.nesting.edge_snapping import edge_to_edge, facing_mm
 from CNCStepper.nesting.judge import require_sound
 from CNCStepper.nesting.nesting_model import Budget, Item, Layout, Placement, Sheet, Spacing, Unplaced
 from CNCStepper.nesting.order_checks import require_order
@@ -28,6 +30,7 @@ STRIP_SHARE = 0.6  # of the time, on sheets; a strip gets nearly all
 FIRST_SHARE = 0.25  # of the time, for the first attempt where strips follow
 LONGEST_FIRST = 5.0  # times the time given, and so many seconds more
 LAST_SHARE = 0.02  # of the time, for sliding and judging
+SNAP_SHARE = 0.2  # of the time, for that and for moving edges together, where parts share cuts
 Rank = tuple[float, ...]
 
 
@@ -39,8 +42,11 @@ class Attempt:
     left: tuple[int, ...]
     ended: bool = False
 
-    def rank(self, items: Sequence[Item]) -> Rank:
-        """Return what is compared: unplaced parts by priority, area of the sheets used, length of the last one."""
+    def rank(self, items: Sequence[Item], common_lines: bool = False) -> Rank:
+        """Return what is compared: unplaced parts by priority, area of the sheets used, length of the last one.
+
+        Where parts share cuts, the shared length counts before the length of the last sheet.
+        """
         missing: Counter[int] = Counter()
         for number in self.left:
             missing[-items[number].priority] += items[number].outline.area
@@ -48,7 +54,8 @@ class Attempt:
         area = sum(filling.room.sheet.outline.area for filling in used)
         end_mm = used[-1].end_mm - used[-1].room.sheet.outline.bounds[0] if used else 0.0
         levels = sorted({-item.priority for item in items})
-        return (*(missing[level] for level in levels), area, end_mm)
+        common_mm = sum(facing_mm(filling.room, filling.shapes, filling.placements) for filling in used * common_lines)
+        return (*(missing[level] for level in levels), area, -common_mm, end_mm)
 
 
 def nest(
@@ -58,10 +65,12 @@ def nest(
     budget: Budget,
     strips: StripPacker | None = None,
     seed: int = 1,
+    common_lines: bool = False,
 ) -> Layout:
     """Return where the parts lie; raises JobError for an order that is refused, GeometryError for a fault of ours.
 
-    strips: packs strips in a process of its own; without it the search is our own alone.
+    strips: packs strips in a process of its own; without it the search is our own alone. common_lines: parts are moved
+    on until their straight edges face each other at the gap, so that one cut serves both.
     """
     require_order(items, sheets, spacing)
     shapes = Shapes(items, spacing)
@@ -74,7 +83,7 @@ def nest(
         own = budget.part(budget.left_s * parts[stock] / max(waiting, 1))
         waiting -= parts[stock]
         rooms = [Room(place, sheet, spacing) for place, sheet in enumerate(sheets) if sheet.stock == stock]
-        group = _Group(shapes, numbers, rooms, own, strips, seed)
+        group = _Group(shapes, numbers, rooms, own, strips, seed, common_lines)
         placements += group.placements()
         unplaced += group.unplaced()
     layout = Layout(tuple(placements), tuple(unplaced))
@@ -100,9 +109,10 @@ class _Group:
         budget: Budget,
         strips: StripPacker | None,
         seed: int,
+        common_lines: bool,
     ):
         self._shapes, self._items, self._rooms, self._budget = shapes, shapes.items, rooms, budget
-        self._strips, self._random = strips, random.Random(seed)
+        self._strips, self._random, self._common_lines = strips, random.Random(seed), common_lines
         own = [(number, self._items[number]) for number in numbers]
         wanted = sorted((pair for pair in own if not pair[1].fill), key=lambda pair: _urgency(pair[1]))
         self._order = [number for number, item in wanted for _ in range(item.count)]
@@ -132,7 +142,7 @@ class _Group:
 
     def _searched(self, seed: int) -> Attempt:
         """Return the best attempt within the budget."""
-        end = self._budget.part(self._budget.left_s * (1.0 - LAST_SHARE))
+        end = self._budget.part(self._budget.left_s * (1.0 - (SNAP_SHARE if self._common_lines else LAST_SHARE)))
         best = self._first(end)
         if self._strips and self._order:
             hidden = in_holes(self._shapes, best.fillings) if best else Counter()
@@ -163,7 +173,10 @@ class _Group:
         return best
 
     def _better(self, one: Attempt | None, other: Attempt) -> Attempt:
-        return other if one is None or other.rank(self._items) < one.rank(self._items) else one
+        if one is None:
+            return other
+        ranks = [attempt.rank(self._items, self._common_lines) for attempt in (one, other)]
+        return other if ranks[1] < ranks[0] else one
 
     def _changed(self, order: list[int]) -> list[int]:
         """Return the order with a run of parts moved elsewhere among those of its priority."""
@@ -205,6 +218,8 @@ class _Group:
     def _finished(self, filling: Filling) -> list[Placement]:
         room = filling.room
         lie = compacted(room, self._shapes, filling.placements, self._budget)
+        if self._common_lines:
+            lie = edge_to_edge(room, self._shapes, lie, self._budget)
         if not self._extra:
             return lie
         last = Filling(room, self._shapes)

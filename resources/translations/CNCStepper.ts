@@ -404,6 +404,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Common Lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Common lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Constant Surface Speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -769,6 +777,10 @@
         </message>
         <message>
             <source>Face Stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4743,6 +4755,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Common lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Compare what the controller holds with your machine's values or a backup.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5480,6 +5496,10 @@
         </message>
         <message>
             <source>Facing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7632,6 +7652,10 @@
         </message>
         <message>
             <source>Of its curves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of its sheet, mm; 0: that of the sheets of material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15602,6 +15626,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>common lines: {blocks} blocks of parts, {length:.3f} m of cut and {pierces} pierces saved</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>compare again to see what it holds now; correct that setting, or leave it out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18946,6 +18974,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>parts that share cuts have no gap between their cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19614,6 +19646,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set gap_mm to 0, or leave common lines out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set it again, and do not start before it is right</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19715,6 +19751,14 @@
         </message>
         <message>
             <source>sheet refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sheet {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sheet {number}: the solid is thinner there than the sheet and fills {share:.0f} % of it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23038,6 +23082,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the volume of the stack is off by {off:+.1f} %: take thinner sheets, or let thin walls stand on them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the waits lie from {shortest_ms:g} to {longest_ms:g} ms, beyond {least_ms:g} to {most_ms:g}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25403,6 +25451,10 @@
         </message>
         <message>
             <source>{left_out} messages were left out: more came than could be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{left} blocks of parts are cut apart: no common line fits between them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

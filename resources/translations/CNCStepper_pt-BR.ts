@@ -404,6 +404,14 @@
             <translation>Colunas</translation>
         </message>
         <message>
+            <source>Common Lines</source>
+            <translation>Linhas comuns</translation>
+        </message>
+        <message>
+            <source>Common lines</source>
+            <translation>Linhas comuns</translation>
+        </message>
+        <message>
             <source>Constant Surface Speed</source>
             <translation>Velocidade de corte constante</translation>
         </message>
@@ -770,6 +778,10 @@
         <message>
             <source>Face Stock</source>
             <translation>Sobremetal da face</translation>
+        </message>
+        <message>
+            <source>Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0</source>
+            <translation>Arestas vizinhas frente a frente são cortadas uma só vez, no meio da largura do corte; a folga deve ser 0</translation>
         </message>
         <message>
             <source>Fastest spindle</source>
@@ -3988,7 +4000,7 @@
         </message>
         <message>
             <source>A serial port, or an address as socket://192.168.0.7:23</source>
-            <translation type="unfinished"></translation>
+            <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
         </message>
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
@@ -4743,6 +4755,10 @@
             <translation>Comprimento comandado</translation>
         </message>
         <message>
+            <source>Common lines</source>
+            <translation>Linhas comuns</translation>
+        </message>
+        <message>
             <source>Compare what the controller holds with your machine's values or a backup.</source>
             <translation>Compare o que o controlador guarda com os valores da sua máquina ou com uma cópia.</translation>
         </message>
@@ -5481,6 +5497,10 @@
         <message>
             <source>Facing</source>
             <translation>Faceamento</translation>
+        </message>
+        <message>
+            <source>Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0</source>
+            <translation>Arestas vizinhas frente a frente são cortadas uma só vez, no meio da largura do corte; a folga deve ser 0</translation>
         </message>
         <message>
             <source>Failed</source>
@@ -7633,6 +7653,10 @@
         <message>
             <source>Of its curves</source>
             <translation>De suas curvas</translation>
+        </message>
+        <message>
+            <source>Of its sheet, mm; 0: that of the sheets of material</source>
+            <translation>Da sua chapa, mm; 0: a das chapas de material</translation>
         </message>
         <message>
             <source>Of its tip</source>
@@ -15602,6 +15626,10 @@
             <translation>cncstepper disconnect --port {port}, depois conecte de novo</translation>
         </message>
         <message>
+            <source>common lines: {blocks} blocks of parts, {length:.3f} m of cut and {pierces} pierces saved</source>
+            <translation>linhas comuns: {blocks} blocos de peças, {length:.3f} m de corte e {pierces} perfurações poupados</translation>
+        </message>
+        <message>
             <source>compare again to see what it holds now; correct that setting, or leave it out</source>
             <translation>compare de novo para ver o que ele guarda agora; corrija esse ajuste ou deixe-o fora</translation>
         </message>
@@ -18946,6 +18974,10 @@
             <translation>o sangramento usa um bedame externo</translation>
         </message>
         <message>
+            <source>parts that share cuts have no gap between their cuts</source>
+            <translation>peças que compartilham cortes não têm folga entre os cortes</translation>
+        </message>
+        <message>
             <source>peck_mm must not exceed depth_mm, {limit:g} mm; write 0 to drill in one go</source>
             <translation>peck_mm não deve exceder depth_mm, {limit:g} mm; escreva 0 para furar de uma vez</translation>
         </message>
@@ -19614,6 +19646,10 @@
             <translation>defina entry_slit = true, que corta uma fenda pela peça até cada furo, ou deixe os furos de fora</translation>
         </message>
         <message>
+            <source>set gap_mm to 0, or leave common lines out</source>
+            <translation>ponha gap_mm em 0, ou deixe as linhas comuns de fora</translation>
+        </message>
+        <message>
             <source>set it again, and do not start before it is right</source>
             <translation>defina-o de novo, e não inicie antes que esteja certo</translation>
         </message>
@@ -19716,6 +19752,14 @@
         <message>
             <source>sheet refused</source>
             <translation>chapa recusada</translation>
+        </message>
+        <message>
+            <source>sheet {0} mm</source>
+            <translation>chapa {0} mm</translation>
+        </message>
+        <message>
+            <source>sheet {number}: the solid is thinner there than the sheet and fills {share:.0f} % of it</source>
+            <translation>chapa {number}: o sólido é ali mais fino que a chapa e preenche {share:.0f} % dela</translation>
         </message>
         <message>
             <source>sheet {number}: {small} pieces below 1 mm2 left out</source>
@@ -23038,6 +23082,10 @@
             <translation>o grbl virtual terminou logo</translation>
         </message>
         <message>
+            <source>the volume of the stack is off by {off:+.1f} %: take thinner sheets, or let thin walls stand on them</source>
+            <translation>o volume da pilha desvia {off:+.1f} %: use chapas mais finas, ou deixe as paredes finas em pé sobre elas</translation>
+        </message>
+        <message>
             <source>the waits lie from {shortest_ms:g} to {longest_ms:g} ms, beyond {least_ms:g} to {most_ms:g}</source>
             <translation>as esperas vão de {shortest_ms:g} a {longest_ms:g} ms, fora de {least_ms:g} a {most_ms:g}</translation>
         </message>
@@ -25404,6 +25452,10 @@
         <message>
             <source>{left_out} messages were left out: more came than could be read</source>
             <translation>{left_out} mensagens foram omitidas: chegaram mais do que se podia ler</translation>
+        </message>
+        <message>
+            <source>{left} blocks of parts are cut apart: no common line fits between them</source>
+            <translation>{left} blocos de peças são cortados em separado: nenhuma linha comum cabe entre eles</translation>
         </message>
         <message>
             <source>{length_mm:.3f} mm to ramp on</source>

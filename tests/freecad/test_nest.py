@@ -138,3 +138,21 @@ def test_a_bad_count_is_refused(document: Any, plate: Any, tmp_path: Path) -> No
     nest = api.add_nest(document, [plate], folder=str(tmp_path / "none"), sheet_count=0)
     with pytest.raises(JobError, match="sheet_count"):
         api.nest_parts(nest)
+
+
+def test_parts_of_two_thicknesses_lie_apart(document: Any, plate: Any, disc: Any, tmp_path: Path) -> None:
+    nest = nested(document, [(plate, {"count": 2}), (disc, {"count": 3, "thickness_mm": 5.0})], tmp_path)
+    rows = json.loads(nest.Placements)
+    assert (nest.Placed, nest.Missing, nest.SheetCount) == (5, 0, 2)
+    assert {(sheet, item) for sheet, item, *_ in rows} == {(0, 0), (3, 1)}, "three sheets of 3 mm come first"
+    api.set_nest_parts(nest, [(plate, {"count": 2}), (disc, {"count": 3, "thickness_mm": 6.0})])
+    document.recompute()
+    assert "changed" in problem_of(nest)
+
+
+def test_common_lines_give_blocks_and_lines(document: Any, plate: Any, tmp_path: Path) -> None:
+    nest = nested(document, [(plate, {"count": 2})], tmp_path, gap_mm=0.0, kerf_mm=0.4, common_lines=True)
+    assert problem_of(nest) == "" and {each.Layer for each in nest.Group[0].Group} == {"SHEET", "CUT", "COMMON"}
+    nest.Gap = 1.0
+    with pytest.raises(JobError, match="no gap between their cuts"):
+        api.nest_parts(nest)

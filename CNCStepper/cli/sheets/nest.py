@@ -19,6 +19,7 @@ from CNCStepper.cli.common.verb import Verb
 
 if TYPE_CHECKING:
     from CNCStepper.job.nesting.order_file import Order
+    from CNCStepper.job.nesting.shared_cuts import Saving
     from CNCStepper.nesting.nesting_model import Budget, Layout
 
 
@@ -35,8 +36,9 @@ def _names(params: Mapping[str, Any]) -> Mapping[str, str]:
 )
 @click.option("-o", "--out", type=OutputFolder(_names), required=True, help="Folder for drawings, placements, picture.")
 @click.option("--seed", type=click.IntRange(0, 2**31 - 1), default=1, show_default=True, help="Of the random search.")
+@click.option("--common-lines", is_flag=True, help="Cut facing edges of neighbours once; the order's gap must be 0.")
 @click.option("--no-spyrrow", is_flag=True, help="Search by our own layer alone.")
-def command(order: Path, time_s: float, out: Path, seed: int, no_spyrrow: bool) -> None:
+def command(order: Path, time_s: float, out: Path, seed: int, common_lines: bool, no_spyrrow: bool) -> None:
     """Place the parts of ORDER on its sheets: a TOML order, or the JSON of a strip packing instance.
 
     DIR/sheet-N.dxf, DIR/remnant-N-M.dxf, DIR/placements.json and DIR/nest.png are written. Ctrl+C ends the search with
@@ -44,12 +46,13 @@ def command(order: Path, time_s: float, out: Path, seed: int, no_spyrrow: bool) 
     have no place; each is told with the reason.
     """
     from CNCStepper.job.nesting.nest_files import density_of, write_nest
-    from CNCStepper.job.nesting.order_file import read_order
+    from CNCStepper.job.nesting.order_file import read_order, with_common_lines
+    from CNCStepper.job.nesting.shared_cuts import saving_of, shared_cuts
     from CNCStepper.job.nesting.strip_process import strip_packer
     from CNCStepper.nesting.nest import nest
     from CNCStepper.nesting.nesting_model import Budget
 
-    read = read_order(order)
+    read = with_common_lines(read_order(order)) if common_lines else read_order(order)
     parts = sum(item.count + len(item.locked) for item in read.items)
     with Progress("nesting") as progress:
         budget = Budget(time_s, progress=progress.share)
@@ -60,10 +63,13 @@ def command(order: Path, time_s: float, out: Path, seed: int, no_spyrrow: bool) 
             )
         with _stopped_by_ctrl_c(budget):
             click.echo(f"nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far", err=True)
-            layout = nest(read.items, read.sheets, read.spacing, budget, packer, seed)
-    for path in write_nest(read, layout, out):
+            layout = nest(read.items, read.sheets, read.spacing, budget, packer, seed, read.common_lines)
+    shared = shared_cuts(read, layout)
+    for path in write_nest(read, layout, out, shared):
         click.echo(f"{path}")
     _tell(read, layout)
+    if shared:
+        _tell_saving(saving_of(shared))
     click.echo(f"density {density_of(read, layout):.3f}")
     sys.exit(1 if layout.unplaced else 0)
 
@@ -82,6 +88,12 @@ def _stopped_by_ctrl_c(budget: Budget) -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+def _tell_saving(saving: Saving) -> None:
+    for note in saving.notes:
+        click.echo(f"   note: {note}", err=True)
+    click.echo(saving.sentence)
 
 
 def _tell(order: Order, layout: Layout) -> None:

@@ -24,6 +24,7 @@ from CNCStepper.cycles.sheet_cutting.cut_precedence import precedence
 from CNCStepper.cycles.sheet_cutting.kerf_offset import narrow_warnings, require_gaps, with_paths
 from CNCStepper.cycles.sheet_cutting.lead_places import LEAST, Item, lead_ins, lead_outs
 from CNCStepper.cycles.sheet_cutting.lead_room import LeadRoom, NoScrap
+from CNCStepper.cycles.sheet_cutting.open_lines import Begins, begins_of
 from CNCStepper.cycles.sheet_cutting.rapids import cut_order, rapid_ways
 from CNCStepper.cycles.sheet_cutting.sheet_model import SheetModel
 from CNCStepper.cycles.sheet_cutting.sheet_parameter_checks import Measures, measures_of
@@ -104,6 +105,8 @@ class _Planner:
         self.warnings += narrow_warnings(self.chains, kerf_mm)
         self.part_of = np.array([index for index, chain in enumerate(self.chains) for _ in chain.paths], np.int64)
         self.items = [Item(chain, path) for chain in self.chains for path in chain.paths]
+        for number in self._begins().turned:
+            self.items[number] = replace(self.items[number], path=self.items[number].path.reversed())
 
     def cuts(self) -> list[Cut]:
         """Return the cuts in their order."""
@@ -115,7 +118,11 @@ class _Planner:
         before = self._before()
         begins = np.array([cut.begin for cut in made])
         ends = np.array([cut.end for cut in made])
-        turns = [item.chain.is_open and not self.cycle.blade_offset_mm for item in self.items]
+        fixed = self._begins().fixed
+        turns = [
+            item.chain.is_open and not self.cycle.blade_offset_mm and number not in fixed
+            for number, item in enumerate(self.items)
+        ]
         order = cut_order(begins, ends, turns, before)
         return self._on_ways([_turned(made[number]) if turned else made[number] for number, turned in order],
                              [number for number, _ in order])  # fmt: skip
@@ -275,19 +282,24 @@ class _Planner:
         for number, chain in enumerate(self.part_of.tolist()):
             items.setdefault(chain, []).append(number)
         pairs = precedence(self.chains, by_chain, self.measures.kerf_mm)
-        return [(one, other) for a, b in pairs for one in items[a] for other in items[b]]
+        return [*self._begins().before, *((one, other) for a, b in pairs for one in items[a] for other in items[b])]
+
+    def _begins(self) -> Begins:
+        """Return how the open lines begin; a drag knife pierces nothing."""
+        lines = {number: item.path for number, item in enumerate(self.items) if item.chain.is_open}
+        return begins_of({} if self.cycle.blade_offset_mm else lines, self.measures.kerf_mm)
 
     def _on_ways(self, cuts: list[Cut], numbers: list[int]) -> list[Cut]:
         """Return the cuts with the rapids that lead to them, and note what they set free."""
         begins, ends = np.array([cut.begin for cut in cuts]), np.array([cut.end for cut in cuts])
         tips, held = self.setup.process.tips_parts, self.cycle.tabs is not None
-        whole = parts_of(self.chains)
+        whole = parts_of(self.chains, self.measures.kerf_mm)
         last = {int(self.part_of[number]): place for place, number in enumerate(numbers)}
         pieces: list[shapely.Polygon | None] = [None] * len(cuts)
         inner = points_of([item.path for item in self.items], ROUGH_MM)
         for chain in sorted(last, key=last.__getitem__):
             if self.chains[chain].is_part:
-                self.parts.append(whole[chain])
+                self.parts += whole[chain]
         self.held = len(self.parts) if held else 0
         for place, number in enumerate(numbers):
             if self.items[number].path.closed and not (held and self.items[number].chain.is_part):

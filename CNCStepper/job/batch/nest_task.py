@@ -18,9 +18,10 @@ from CNCStepper.drawing.drawing import Chain, Drawing
 from CNCStepper.drawing.writers.dxf_writer import dxf_bytes
 from CNCStepper.job.batch.sheet_template import cut_chains, layer_of, sheet_size_mm, template_of
 from CNCStepper.job.batch.task_files import below
-from CNCStepper.job.nesting.nest_files import density_of, placed_chain, placements_json, remnant_drawing, remnants
+from CNCStepper.job.nesting.nest_files import density_of, placements_json, remnant_drawing, remnants
 from CNCStepper.job.nesting.nest_picture import save_nest_picture
 from CNCStepper.job.nesting.order_file import Order, named, outline_region
+from CNCStepper.job.nesting.shared_cuts import placed_chain
 from CNCStepper.job.templates.template import Template
 from CNCStepper.nesting.nest import nest
 from CNCStepper.nesting.nesting_model import Budget, Item, Layout, Placement, Sheet, Spacing, placed

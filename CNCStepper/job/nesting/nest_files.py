@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The files of a nested order: a drawing of each sheet, remnants as drawings, placements as JSON, a picture.
 
-sheet-0.dxf          the parts' chains on their layers, the rim of the sheet on SHEET
+sheet-0.dxf          the parts' chains on their layers, the rim of the sheet on SHEET, common lines on COMMON
 remnant-0-0.dxf      what is left of a sheet in one piece, ready to be a sheet of the next order
 placements.json      [{"sheet": 0, "item": 2, "x": 10.0, "y": 5.0, "rotation_deg": 90.0}, ...]
 nest.png             all sheets that are used
@@ -10,7 +10,7 @@ nest.png             all sheets that are used
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +23,8 @@ from CNCStepper.drawing.writers.dxf_writer import dxf_bytes
 from CNCStepper.geometry.curve import from_points
 from CNCStepper.job.nesting.nest_picture import save_nest_picture
 from CNCStepper.job.nesting.order_file import Order
+from CNCStepper.job.nesting.shared_cuts import block_chains, on_sheet, part_chains, shared_cuts
+from CNCStepper.nesting.common_lines import CommonCuts
 from CNCStepper.nesting.nesting_model import Layout, Placement, placed
 
 FILES = {  # names that are written, and what they are by output_files.py
@@ -53,20 +55,26 @@ def strip_length_mm(order: Order, layout: Layout) -> float:
     return max(ends, default=0.0) + order.spacing.margin_mm
 
 
-def write_nest(order: Order, layout: Layout, folder: Path) -> list[Path]:
-    """Write all files of a layout into a folder; return their paths, the sheets first."""
+def write_nest(
+    order: Order, layout: Layout, folder: Path, shared: Mapping[int, CommonCuts] | None = None
+) -> list[Path]:
+    """Write all files of a layout into a folder; return their paths, the sheets first.
+
+    shared: the common lines of each sheet, where they are known.
+    """
     folder.mkdir(parents=True, exist_ok=True)
+    shared = shared_cuts(order, layout) if shared is None else shared
     paths = []
     for number in layout.sheets:
         paths.append(folder / f"sheet-{number}.dxf")
-        write_whole(paths[-1], dxf_bytes(sheet_drawing(order, layout, number)))
+        write_whole(paths[-1], dxf_bytes(sheet_drawing(order, layout, number, shared.get(number))))
         for count, remnant in enumerate(remnants(order, layout, number)):
             paths.append(folder / f"remnant-{number}-{count}.dxf")
             write_whole(paths[-1], dxf_bytes(remnant_drawing(remnant)))
     paths.append(folder / "placements.json")
     write_whole(paths[-1], placements_json(layout).encode("utf-8"))
     paths.append(folder / "nest.png")
-    save_nest_picture(paths[-1], order, layout, density_of(order, layout))
+    save_nest_picture(paths[-1], order, layout, density_of(order, layout), shared)
     return paths
 
 
@@ -93,19 +101,11 @@ def used_outline(order: Order, layout: Layout, number: int) -> Polygon:
     return shapely.box(0.0, 0.0, strip_length_mm(order, layout), order.strip_height_mm)
 
 
-def sheet_drawing(order: Order, layout: Layout, number: int) -> Drawing:
-    """Return the drawing of a sheet: its rim, and the chains of its parts."""
-    chains = list(_rings(used_outline(order, layout, number)))
-    for placement in layout.placements:
-        if placement.sheet == number:
-            chains += [placed_chain(chain, placement) for chain in order.chains[placement.item]]
-    return Drawing(tuple(chains))
-
-
-def placed_chain(chain: Chain, placement: Placement) -> Chain:
-    """Return a chain of a part where the placement puts it."""
-    turned = chain.curve.rotated(placement.rotation_deg) if placement.rotation_deg else chain.curve
-    return Chain(turned.moved(placement.x_mm, placement.y_mm), chain.attributes)
+def sheet_drawing(order: Order, layout: Layout, number: int, cuts: CommonCuts | None = None) -> Drawing:
+    """Return the drawing of a sheet: its rim, and the chains of its parts; cuts: what the parts share."""
+    cuts, lie = cuts or CommonCuts(), on_sheet(layout, number)
+    rim = _rings(used_outline(order, layout, number))
+    return Drawing((*rim, *part_chains(order, lie, cuts), *block_chains(order, lie, cuts)))
 
 
 def remnant_drawing(remnant: Polygon) -> Drawing:

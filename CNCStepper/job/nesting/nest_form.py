@@ -13,13 +13,14 @@ from CNCStepper.quantities import Bounds, Length, LengthOr0
 class NestForm(BaseModel):
     """kerf_mm: the width of the cut. gap_mm: between cuts, margin_mm: to the rim. sheet_count: sheets of that size.
 
-    time_s: how long a denser nest is looked for.
+    common_lines: facing edges are cut once. time_s: how long a denser nest is looked for.
     """
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
 
     kerf_mm: Annotated[float, Bounds("width", zero=True)] = 0.0
     gap_mm: LengthOr0 = 2.0
+    common_lines: bool = False
     sheet_x_mm: Length = 600.0
     sheet_y_mm: Length = 400.0
     sheet_count: Annotated[int, Bounds("count", most=1000)] = 10

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -15,17 +16,21 @@ from matplotlib.path import Path as Outline
 from shapely import Polygon
 
 from CNCStepper.job.nesting.order_file import Order
+from CNCStepper.nesting.common_lines import CommonCuts
 from CNCStepper.nesting.nesting_model import Layout, placed
 from CNCStepper.simulation.views.picture_style import GREY, INK, STOCK_COLOUR, head, new_figure, save_figure
 
 MOST_DRAWN = 12  # sheets
 MOST_NAMED = 60  # parts of a sheet that carry their item's number
 WIDTH_INCH, HEAD_INCH, SIDE_INCH = 12.0, 1.1, 0.45
+COMMON_COLOUR = "#c00000"
 LEAST_ASPECT, MOST_ASPECT = 0.12, 1.4
 
 
-def save_nest_picture(file: Path, order: Order, layout: Layout, density: float) -> None:
-    """Draw the sheets as PNG or SVG, as the file's name ends."""
+def save_nest_picture(
+    file: Path, order: Order, layout: Layout, density: float, shared: Mapping[int, CommonCuts] | None = None
+) -> None:
+    """Draw the sheets as PNG or SVG, as the file's name ends; shared: the common lines of each sheet."""
     numbers = layout.sheets[:MOST_DRAWN]
     boxes = [_box(order, layout, number) for number in numbers] or [(0.0, 0.0, 1.0, 1.0)]
     columns = min(len(boxes), 1 if max(box[2] - box[0] for box in boxes) > 2.5 * boxes[0][3] else 3)
@@ -40,7 +45,11 @@ def save_nest_picture(file: Path, order: Order, layout: Layout, density: float) 
         column, row = place % columns, place // columns
         left, bottom = SIDE_INCH + column * wide, whole - HEAD_INCH - (row + 1) * high + SIDE_INCH
         size = ((wide - SIDE_INCH) / WIDTH_INCH, (high - SIDE_INCH) / whole)
-        _draw(figure.add_axes((left / WIDTH_INCH, bottom / whole, *size)), order, layout, number, boxes[place])
+        axes = figure.add_axes((left / WIDTH_INCH, bottom / whole, *size))
+        _draw(axes, order, layout, number, boxes[place])
+        for block in shared[number].blocks if shared else ():
+            for line in block.lines:
+                axes.plot(*line.xy.T, color=COMMON_COLOUR, linewidth=1.4)
     save_figure(figure, file)
 
 

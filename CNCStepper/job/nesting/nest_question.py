@@ -9,8 +9,8 @@
     fill        more of the part "item" where the sheet "sheet" has room; nothing is written
     write       the files of just these parts, judged as a whole before
 
-The answer holds the outlines (`nest_data.py`), the parts, those that do not fit any more, the files of the sheets, and
-what has no place.
+The answer holds the outlines (`nest_data.py`), the parts, those that do not fit any more, the files of the sheets,
+what has no place, and what common lines save. Parts on a sheet that is not there any more are left out.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ from CNCStepper.job.drawings.packed_curves import unpacked_curves
 from CNCStepper.job.nesting.nest_data import FILL, SEARCH, WRITE, packed_items, parts_of, rows_of
 from CNCStepper.job.nesting.nest_files import density_of, write_nest
 from CNCStepper.job.nesting.order_file import Order, OrderForm, order_of
+from CNCStepper.job.nesting.shared_cuts import saving_of, shared_cuts
 from CNCStepper.job.nesting.strip_process import strip_packer
 from CNCStepper.machine.profile import validated
 from CNCStepper.nesting.judge import require_sound
@@ -41,7 +42,7 @@ def answer_of(
 ) -> dict[str, Any]:
     """Do what is asked; stopped: ends a search with the best so far. Raises CNCStepperError."""
     order = _order(asked)
-    parts = parts_of(asked["parts"])
+    parts = [part for part in parts_of(asked["parts"]) if part.placement.sheet < len(order.sheets)]
     budget = Budget(float(asked["time_s"]), progress=share, stopped=stopped or Event())
     layout, files = None, []
     if asked["verb"] == SEARCH:
@@ -51,8 +52,9 @@ def answer_of(
         parts += [PlacedPart(place) for place in filled(manual, asked["item"], asked["sheet"], budget)]
     elif asked["verb"] == WRITE:
         layout = _judged(order, parts)
+    shared = shared_cuts(order, layout) if layout is not None else {}
     if layout is not None:
-        files = write_nest(order, layout, Path(asked["folder"]))
+        files = write_nest(order, layout, Path(asked["folder"]), shared)
     unplaced = layout.unplaced if layout is not None else ()
     return {
         "order": packed_items(order.items, order.sheets, order.spacing),
@@ -63,6 +65,7 @@ def answer_of(
         "density": density_of(order, layout) if layout is not None else 0.0,
         "missing": sum(each.count for each in unplaced),
         "unplaced": [_sentence(order, each) for each in unplaced],
+        "saving": [saving_of(shared).sentence, *saving_of(shared).notes] if shared else [],
     }
 
 
@@ -83,7 +86,8 @@ def _searched(order: Order, parts: Sequence[PlacedPart], budget: Budget) -> tupl
     """Return the best layout that is found round the locked parts, and its parts."""
     locked = [part.placement for part in parts if part.locked]
     counts = [item.count for item in order.items]
-    layout = nest(with_locked(order.items, counts, locked), order.sheets, order.spacing, budget, strip_packer())
+    items = with_locked(order.items, counts, locked)
+    layout = nest(items, order.sheets, order.spacing, budget, strip_packer(), common_lines=order.common_lines)
     return layout, [PlacedPart(place, place in locked) for place in sorted(layout.placements)]
 
 

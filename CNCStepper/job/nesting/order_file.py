@@ -4,6 +4,7 @@
     kerf_mm = 0.3                                   width of the cut: parts lie kerf + gap apart
     gap_mm = 2.0                                    material that stays between two cuts; 0: sides share one cut
     margin_mm = 5.0                                 material between a cut and the rim of the sheet
+    common_lines = true                             with gap_mm = 0: facing edges are cut once (common_lines.py)
     [[sheet]]                                       size_mm, drawing or strip_height_mm
     size_mm = [1000.0, 500.0]                       count, material, thickness_mm, grain_deg
     [[part]]                                        drawing (layer), size_mm, diameter_mm or polygon_mm (holes_mm)
@@ -18,7 +19,7 @@ A drawing's outline is its largest closed chain; the closed chains in it are hol
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -39,6 +40,7 @@ from CNCStepper.nesting.nesting_model import MOST_PARTS, MOST_ROTATIONS, Item, P
 from CNCStepper.nesting.order_checks import polygon_from, require_count, require_finite
 from CNCStepper.nesting.outlines import EXACT_MM, holding_polygon, simplified, within_polygon
 from CNCStepper.quantities import MOST_ITEMS, Angle, Bounds, Coordinate, Length, LengthOr0
+from CNCStepper.tolerances import SAME_MM
 
 Point = tuple[Coordinate, Coordinate]
 Ring = Annotated[tuple[Point, ...], Field(min_length=3, max_length=MOST_ITEMS["points"])]
@@ -48,7 +50,10 @@ OUTLINE = Attributes(layer="CUT")
 
 @dataclass(frozen=True)
 class Order:
-    """What is nested. chains: of each item, for the drawings. strip_height_mm: 0 where there are sheets."""
+    """What is nested. chains: of each item, for the drawings. strip_height_mm: 0 where there are sheets.
+
+    common_lines: whether facing edges of neighbours are cut once.
+    """
 
     items: tuple[Item, ...]
     sheets: tuple[Sheet, ...]
@@ -56,7 +61,7 @@ class Order:
     chains: tuple[tuple[Chain, ...], ...]
     kerf_mm: float = 0.0
     strip_height_mm: float = 0.0
-    notes: tuple[str, ...] = ()
+    common_lines: bool = False
 
 
 class _Form(BaseModel):
@@ -128,6 +133,7 @@ class OrderForm(_Form):
     kerf_mm: Annotated[float, Bounds("width", zero=True)] = 0.0
     gap_mm: LengthOr0 = 0.0
     margin_mm: LengthOr0 = 0.0
+    common_lines: StrictBool = False
     tolerance_mm: Annotated[float, Bounds("tolerance", most=1.0)] = 0.02
     sheet: tuple[SheetForm, ...] = Field(min_length=1, max_length=1000)
     part: tuple[PartForm, ...] = Field(min_length=1, max_length=MOST_PARTS)
@@ -181,6 +187,8 @@ def _strip(items: Sequence[Item], height_mm: float, stock: str) -> Sheet:
 
 def order_of(form: OrderForm, chains_of: ChainsOf) -> Order:
     """Return the order of a form; chains_of: gives the chains of a drawing by its name in the form."""
+    if form.common_lines:
+        require_no_gap(form.gap_mm)
     drawn = [_drawn(part, number, chains_of, form.tolerance_mm) for number, part in enumerate(form.part)]
     items = tuple(item for item, _ in drawn)
     spacing = Spacing(form.kerf_mm + form.gap_mm, form.kerf_mm + form.margin_mm)
@@ -190,9 +198,25 @@ def order_of(form: OrderForm, chains_of: ChainsOf) -> Order:
     if strips:
         height_mm = strips[0].strip_height_mm or 0.0
         sheets: tuple[Sheet, ...] = (_strip(items, height_mm, strips[0].stock),)
-        return Order(items, sheets, spacing, tuple(chains for _, chains in drawn), form.kerf_mm, height_mm)
-    sheets = tuple(sheet for number, each in enumerate(form.sheet) for sheet in _sheets(each, number, chains_of))
-    return Order(items, sheets, spacing, tuple(chains for _, chains in drawn), form.kerf_mm)
+    else:
+        height_mm = 0.0
+        sheets = tuple(sheet for number, each in enumerate(form.sheet) for sheet in _sheets(each, number, chains_of))
+    chains = tuple(chains for _, chains in drawn)
+    return Order(items, sheets, spacing, chains, form.kerf_mm, height_mm, form.common_lines)
+
+
+def with_common_lines(order: Order) -> Order:
+    """Return the order with facing edges that are cut once; raises JobError where it leaves gaps between cuts."""
+    require_no_gap(order.spacing.gap_mm - order.kerf_mm)
+    return replace(order, common_lines=True)
+
+
+def require_no_gap(gap_mm: float) -> None:
+    """Raise JobError where a gap is wanted between the cuts of parts that share them."""
+    if gap_mm > SAME_MM:
+        advice = "set gap_mm to 0, or leave common lines out"
+        what = "parts that share cuts have no gap between their cuts"
+        raise JobError("nest-common-gap", what, value=f"{gap_mm:g} mm", limit="0 mm", advice=advice)
 
 
 def _sheets(form: SheetForm, number: int, chains_of: ChainsOf) -> list[Sheet]:

@@ -8,6 +8,7 @@ FCStd             within SECTION_TOLERANCE_MM
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -52,12 +53,16 @@ class Outline:
 
 @dataclass(frozen=True)
 class Sections:
-    """What a stack is made of: where each sheet begins along the axis, the pieces of its section; the volume held."""
+    """What a stack is made of: where each sheet begins along the axis, the pieces of its section; the volume held.
+
+    sheet_volumes_mm3: what of the solid lies in each sheet; () where only the whole volume is known.
+    """
 
     begins_mm: tuple[float, ...]
     outlines: tuple[tuple[Outline, ...], ...]
     thickness_mm: float
     volume_mm3: float
+    sheet_volumes_mm3: tuple[float, ...] = ()
 
 
 def mesh_sections(triangles: np.ndarray, axis: str, thickness_mm: float) -> Sections:
@@ -68,7 +73,9 @@ def mesh_sections(triangles: np.ndarray, axis: str, thickness_mm: float) -> Sect
     _require_few(sheet_count(low_mm, high_mm, thickness_mm))
     heights = section_heights(low_mm, high_mm, thickness_mm, levels=[])
     outlines = tuple(tuple(_outlines(section_area(mesh, height_mm))) for height_mm in heights)
-    return Sections(tuple(sheet_begins(low_mm, high_mm, thickness_mm)), outlines, thickness_mm, volume_mm3(mesh))
+    begins_mm = sheet_begins(low_mm, high_mm, thickness_mm)
+    volumes_mm3 = tuple(slab_volumes_mm3(mesh, [*begins_mm, begins_mm[-1] + thickness_mm]))
+    return Sections(tuple(begins_mm), outlines, thickness_mm, volume_mm3(mesh), volumes_mm3)
 
 
 def solid_sections(path: Path, axis: str, thickness_mm: float) -> Sections:
@@ -127,6 +134,28 @@ def volume_mm3(mesh: np.ndarray) -> float:
     """Return the volume in a closed mesh."""
     first, second, third = mesh[:, 0], mesh[:, 1], mesh[:, 2]
     return abs(float(np.einsum("ij,ij->i", first, np.cross(second, third)).sum())) / 6.0
+
+
+def slab_volumes_mm3(mesh: np.ndarray, heights_mm: Sequence[float]) -> list[float]:
+    """Return the volume of a closed mesh between each height and the next one, exactly, the heights ascending."""
+    level = mesh[:, :, :2]
+    sides = level[:, 1:] - level[:, :1]
+    areas = (sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0]) / 2.0
+    above = [float((areas * _mean_above(mesh[:, :, 2], height)).sum()) for height in heights_mm]
+    sign = np.sign(float((areas * mesh[:, :, 2].mean(axis=1)).sum()))  # of a mesh that is inside out
+    return [float(sign * (one - other)) for one, other in itertools.pairwise(above)]
+
+
+def _mean_above(z: np.ndarray, height_mm: float) -> np.ndarray:
+    """Return the mean over each triangle of how far it lies above a height, 0 where below; z: of its corners."""
+    checkpoint()
+    low, middle, high = (np.sort(z, axis=1) - height_mm).T
+    mean = (low + middle + high) / 3.0
+    top, bottom = (low < 0.0) & (middle <= 0.0) & (high > 0.0), (low < 0.0) & (middle > 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        mean = np.where(top, high**3 / (3.0 * (high - low) * (high - middle)), mean)
+        mean = np.where(bottom, mean - low**3 / (3.0 * (middle - low) * (high - low)), mean)
+    return np.where(high <= 0.0, 0.0, mean)
 
 
 def section_area(mesh: np.ndarray, height_mm: float) -> BaseGeometry:

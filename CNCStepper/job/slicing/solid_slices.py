@@ -11,8 +11,8 @@ square of the thickness. A registration hole goes straight through all sheets wh
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -24,6 +24,8 @@ from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.slicing.sections import Outline, Sections
 
+THIN_SHARE = 0.9  # of a sheet that a solid fills where it is not told to be thinner
+MOST_OFF = 0.01  # of the volume that a stack may be off before it is told
 LEAST_PIECE_MM2 = 1.0  # smaller pieces of a section are told and left out
 HOLE_GRID = 48  # places along a side where a registration hole may go
 FAR_WEIGHT = 0.3  # of the distance to the first hole, beside the number of sheets, in the choice of the second one
@@ -98,7 +100,27 @@ def stack_of(
         pieces, small = _pieces(own, f"{part} {number}", holes)
         notes += [Text("sheet {number}: {small} pieces below 1 mm2 left out", number=number, small=small)] * bool(small)
         slices.append(Slice(number, part, begin_mm, pieces))
-    return Stack(tuple(slices), sections.thickness_mm, sections.volume_mm3, tuple(notes))
+    stack = Stack(tuple(slices), sections.thickness_mm, sections.volume_mm3)
+    return replace(stack, notes=(*notes, *_volume_notes(stack, sections)))
+
+
+def _volume_notes(stack: Stack, sections: Sections) -> Iterator[str]:
+    """Yield each sheet of which the solid fills less than its section says, and how far the whole stack is off."""
+    for each, volume_mm3 in zip(stack.slices, sections.sheet_volumes_mm3, strict=False):
+        sheet_mm3 = each.area_mm2 * stack.thickness_mm
+        if volume_mm3 < THIN_SHARE * sheet_mm3:
+            share = 100.0 * volume_mm3 / sheet_mm3
+            yield Text(
+                "sheet {number}: the solid is thinner there than the sheet and fills {share:.0f} % of it",
+                number=each.number,
+                share=share,
+            )
+    off = stack.volume_mm3 / stack.solid_volume_mm3 - 1.0
+    if abs(off) > MOST_OFF:
+        yield Text(
+            "the volume of the stack is off by {off:+.1f} %: take thinner sheets, or let thin walls stand on them",
+            off=100.0 * off,
+        )
 
 
 def _pieces(outlines: Sequence[Outline], name: str, holes: Sequence[Hole]) -> tuple[tuple[Piece, ...], int]:

@@ -17,6 +17,7 @@ from CNCStepper import text_json
 from CNCStepper.errors import JobError, Text
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.features.base import (
+    BOOL,
     CONTAINERS,
     DISTANCE,
     ENUMERATION,
@@ -43,12 +44,13 @@ TOLERANCE_MM = 0.002  # in which curved lines of parts become lines and arcs
 
 @dataclass
 class PartValues:
-    """What is wanted of one part; turn, grain: of TURNS and GRAINS."""
+    """What is wanted of one part; turn, grain: of TURNS and GRAINS; thickness_mm: 0 for that of the sheets."""
 
     count: int = 1
     turn: str = "quarter"
     grain: str = "none"
     priority: int = 0
+    thickness_mm: float = 0.0
 
 
 class Nest(Feature):
@@ -61,6 +63,8 @@ class Nest(Feature):
         Property("part_values", "PartValues", TEXT, PARTS, later("Values"), later("Of each part"), "[]"),
         Property("kerf_mm", "Kerf", DISTANCE, PARTS, later("Kerf"), later("The width of the cut"), 0.0),
         Property("gap_mm", "Gap", DISTANCE, PARTS, later("Gap"), later("Material that stays between two cuts"), 2.0),
+        Property("common_lines", "CommonLines", BOOL, PARTS, later("Common lines"),
+                 later("Facing edges of neighbours are cut once, in the middle of the kerf; the gap must be 0"), False),
         Property("sheet_x_mm", "SheetX", DISTANCE, SHEETS, later("Length X"), later("Of a sheet of material"), 600.0),
         Property("sheet_y_mm", "SheetY", DISTANCE, SHEETS, later("Width Y"), later("Of a sheet of material"), 400.0),
         Property("sheet_count", "SheetsThere", INTEGER, SHEETS, later("Sheets"), later("How many there are"), 10),
@@ -181,19 +185,32 @@ def asked_of(obj: Any, verb: str, **more: Any) -> dict[str, Any]:
     found = validated(NestForm, obj.Proxy.given(values(obj)), obj.Label).model_dump()
     wanted = part_values(obj)
     rows = [_part_row(part, number, wanted[number]) for number, part in enumerate(obj.Parts)]
-    stock = {"thickness_mm": found["thickness_mm"]}
-    whole = {"name": "sheet", "size_mm": [found["sheet_x_mm"], found["sheet_y_mm"]], "count": found["sheet_count"]}
+    usual_mm = found["thickness_mm"]
     rests = [{"name": each.Label, "drawing": f"rest-{number}"} for number, each in enumerate(obj.Remnants)]
+    sheets = [{**row, "thickness_mm": usual_mm} for row in rests] + _whole_sheets(found, wanted)
     grain = {"grain_deg": GRAINS[found["sheet_grain"]]}
     order = {
-        **{key: found[key] for key in ("kerf_mm", "gap_mm", "margin_mm")},
-        "sheet": [{**row, **stock, **grain} for row in (*rests, whole)],
-        "part": [{**row, **stock} for row in rows],
+        **{key: found[key] for key in ("kerf_mm", "gap_mm", "margin_mm", "common_lines")},
+        "sheet": [row | grain for row in sheets],
+        "part": [
+            {**row, "thickness_mm": each.thickness_mm or usual_mm} for row, each in zip(rows, wanted, strict=True)
+        ],
     }
     drawn = {f"part-{number}": packed_drawing(part) for number, part in enumerate(obj.Parts)}
     drawn |= {f"rest-{number}": packed_drawing(part) for number, part in enumerate(obj.Remnants)}
     told = {"verb": verb, "order": order, "drawings": drawn, "time_s": found["time_s"]}
     return {"parts": json.loads(obj.Placements), "folder": str(folder_of(obj)), **told, **more}
+
+
+def _whole_sheets(found: dict[str, Any], wanted: Sequence[PartValues]) -> list[dict[str, Any]]:
+    """Return the whole sheets of each thickness, the usual one first: as many of each."""
+    usual_mm = found["thickness_mm"]
+    thicknesses_mm = list(dict.fromkeys([usual_mm, *(each.thickness_mm or usual_mm for each in wanted)]))
+    whole = {"size_mm": [found["sheet_x_mm"], found["sheet_y_mm"]], "count": found["sheet_count"]}
+    return [
+        {"name": f"sheet {each:g} mm" if len(thicknesses_mm) > 1 else "sheet", "thickness_mm": each, **whole}
+        for each in thicknesses_mm
+    ]
 
 
 def _part_row(part: Any, number: int, wanted: PartValues) -> dict[str, Any]:
@@ -229,5 +246,5 @@ def take_answer(obj: Any, answer: dict[str, Any], made_of: str) -> None:
     """Keep what was made of the parts and the values that `made_of` holds."""
     obj.SheetCount, obj.Placed, obj.Missing = len(answer["sheets"]), len(answer["parts"]), answer["missing"]
     obj.Placements = json.dumps(answer["parts"])
-    told = {key: answer[key] for key in ("density", "unplaced")}
+    told = {key: answer[key] for key in ("density", "unplaced", "saving")}
     obj.Report, obj.MadeOf = text_json.dumps(told), made_of

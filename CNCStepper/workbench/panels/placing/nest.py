@@ -37,6 +37,7 @@ from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
 MOST_PRIORITY = 1000
+MOST_THICKNESS_MM = 1000.0
 FILL_S = 20.0  # the most that filling takes
 
 
@@ -199,7 +200,8 @@ class NestPanel(PlacingPanel):
     def refresh_report(self) -> None:
         """Show what was made."""
         told = text_json.loads(self.obj.Report) if self.obj.Report else None
-        self.summary.setText(_summary(self.obj, told) if told else "")
+        lines = [_summary(self.obj, told), *map(translated, told.get("saving", ()))] if told else []
+        self.summary.setText("\n".join(lines))
         self.summary.setVisible(bool(told))
         rows = [translated(each) for each in told["unplaced"]] if told else []
         self.warnings.setText("\n".join(rows))
@@ -264,6 +266,12 @@ def _columns() -> tuple[Column, ...]:
             tr("First"),
             tr("Parts of a larger number are placed first"),
             bounds=(-MOST_PRIORITY, MOST_PRIORITY),
+        ),
+        Column(
+            "thickness_mm",
+            tr("Thickness"),
+            tr("Of its sheet, mm; 0: that of the sheets of material"),
+            bounds=(0.0, MOST_THICKNESS_MM),
         ),
     )
 

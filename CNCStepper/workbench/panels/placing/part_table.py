@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -20,13 +21,16 @@ PLACED, FIRST_CELL = 1, 2  # columns behind that of the name
 
 @dataclass(frozen=True)
 class Column:
-    """A column of cells. title, tip: texts for a person. choices: value and words; () for a whole number of bounds."""
+    """A column of cells.
+
+    title, tip: texts for a person. choices: value and words; () for a number of bounds, whole ones of whole bounds.
+    """
 
     key: str
     title: str
     tip: str
     choices: tuple[tuple[str, str], ...] = ()
-    bounds: tuple[int, int] = (0, 0)
+    bounds: tuple[int, int] | tuple[float, float] = (0, 0)
 
 
 class PartTable(QtGui.QTableWidget):
@@ -92,8 +96,9 @@ class PartTable(QtGui.QTableWidget):
             cell.setCurrentIndex([choice for choice, _ in column.choices].index(value))
             cell.activated.connect(guarded(lambda *_: self.edited.emit()))
         else:
-            cell = QtGui.QLineEdit(str(value), self)
-            cell.setValidator(QtGui.QIntValidator(*column.bounds, cell))
+            cell = QtGui.QLineEdit(f"{value:g}", self)
+            if isinstance(column.bounds[0], int):
+                cell.setValidator(QtGui.QIntValidator(*column.bounds, cell))
             cell.setFixedWidth(cell.fontMetrics().averageCharWidth() * 6)
             cell.editingFinished.connect(guarded(lambda *_: self.edited.emit()))
         cell.setObjectName(f"{NAME}_{column.key}_{row}")
@@ -104,10 +109,12 @@ class PartTable(QtGui.QTableWidget):
 def _value(column: Column, cell: Any) -> Any:
     if column.choices:
         return cell.currentData()
+    least, most = column.bounds
     try:
-        return min(max(int(cell.text()), column.bounds[0]), column.bounds[1])
+        number = type(least)(cell.text().replace(",", "."))
     except ValueError:
-        return column.bounds[0]
+        return least
+    return min(max(number, least), most) if math.isfinite(number) else least
 
 
 def choose_objects(found: Sequence[Any], title: str, take: Callable[[list[Any]], None], at: Any) -> None:

@@ -12,13 +12,18 @@ import time
 from pathlib import Path
 
 import pytest
+import shapely
 from click.testing import CliRunner, Result
-from shapely import Polygon, affinity
+from shapely import LineString, Polygon, affinity
 
 from CNCStepper.cli.main import group
 from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
 from CNCStepper.errors import JobError
+from CNCStepper.job.drawings import program_paths
 from CNCStepper.job.nesting.order_file import read_order
+from CNCStepper.job.slicing.slice_programs import on_sheets, write_programs
+from CNCStepper.job.templates.template import read_template
+from CNCStepper.nesting.nesting_model import Placement, placed
 
 ROOT = Path(__file__).parents[4]
 TRIANGLE = [[0.0, 0.0], [20.0, 0.0], [0.0, 15.0]]
@@ -165,3 +170,43 @@ def test_ctrl_c_ends_the_search_with_what_it_has(tmp_path: Path) -> None:
     output, errors = process.communicate(timeout=120)
     assert process.returncode == 0, errors
     assert output.splitlines()[-1].startswith("density 0.")
+
+
+def test_the_program_of_common_lines_cuts_every_part_free_in_its_size(tmp_path: Path) -> None:
+    text = (ROOT / "examples" / "orders" / "common-lines.toml").read_text(encoding="utf-8")
+    for more, fewer in (("[300.0, 200.0]", "[140.0, 105.0]"), ("count = 6", "count = 2"), ("count = 4", "count = 2")):
+        assert more in text
+        text = text.replace(more, fewer)
+    path = tmp_path / "order.toml"
+    path.write_text(text, encoding="utf-8")
+    result = run(path, "--time", "1", "--no-spyrrow", "-o", tmp_path)
+    assert result.exit_code == 0, result.output
+    assert "common lines: " in result.stdout and "blocks of parts" in result.stdout
+    layers = {chain.attributes.layer for chain in read_drawing(tmp_path / "sheet-0.dxf", ReadOptions()).chains}
+    assert layers == {"SHEET", "CUT", "COMMON"}
+    template = read_template(ROOT / "examples" / "templates" / "common-lines.toml")
+    (made,) = write_programs(on_sheets(template, (140.0, 105.0)), tmp_path, [0], 3.0)
+    assert made.is_sound, (made.error, made.refused)
+    cut = program_paths.read(tmp_path / "job-0.nc", ReadOptions(), lambda share: None).chains
+    ways = [LineString(chain.curve.points(0.002)) for chain in cut]
+    order = read_order(path)
+    rows = json.loads((tmp_path / "placements.json").read_text(encoding="utf-8"))
+    places = [Placement(row["sheet"], row["item"], row["x"], row["y"], row["rotation_deg"]) for row in rows]
+    parts = [placed(order.items[each.item].exact, each) for each in places]
+    assert len(parts) == 4
+    band = shapely.union_all([way.buffer(0.6 * order.kerf_mm + 0.01) for way in ways])
+    for part in parts:
+        assert band.covers(part.exterior), "its whole outline is cut"
+        assert min(way.distance(part) for way in ways) >= order.kerf_mm / 2.0 - 0.01
+
+
+def test_common_lines_and_a_gap_do_not_go_together(tmp_path: Path) -> None:
+    (tmp_path / "order.toml").write_text(
+        "gap_mm = 1.0\n[[sheet]]\nsize_mm = [90.0, 80.0]\n[[part]]\nsize_mm = [9.0, 8.0]\n", encoding="utf-8"
+    )
+    with pytest.raises(JobError) as refused:
+        CliRunner().invoke(
+            group, ["nest", str(tmp_path / "order.toml"), "--common-lines", "-o", str(tmp_path / "out")],
+            catch_exceptions=False, standalone_mode=False,
+        )  # fmt: skip
+    assert refused.value.code == "nest-common-gap"

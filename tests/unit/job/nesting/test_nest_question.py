@@ -88,3 +88,13 @@ def test_a_drawing_that_is_no_part_is_refused(tmp_path: Path) -> None:
     question["drawings"] = {"plate": packed_chains(PLATE[2:])}
     with pytest.raises(CNCStepperError, match="part 'plate': the drawing has no closed outline"):
         answer_of(question)
+
+
+def test_common_lines_are_told_and_parts_of_sheets_that_are_gone_are_left_out(tmp_path: Path) -> None:
+    question = asked("search", tmp_path, [[7, 0, 0.0, 0.0, 0.0, True]])
+    question["order"] |= {"gap_mm": 0.0, "common_lines": True}
+    answer = answer_of(question)
+    assert len(answer["parts"]) == 5 and {row[0] for row in answer["parts"]} <= {0, 1}
+    assert answer["saving"][0].startswith("common lines: ") and answer_of(asked("show", tmp_path))["saving"] == []
+    chains = read_drawing(Path(answer["sheets"][0]), ReadOptions()).chains
+    assert {"OUT", "BEND", "CUT", "SHEET", "COMMON"} == {chain.attributes.layer for chain in chains}

@@ -10,7 +10,7 @@ import pytest
 import shapely
 
 from CNCStepper.errors import JobError
-from CNCStepper.job.slicing.sections import mesh_sections, section_area, volume_mm3
+from CNCStepper.job.slicing.sections import mesh_sections, section_area, slab_volumes_mm3, volume_mm3
 from CNCStepper.job.slicing.slice_files import mark_chains, nest_order, without_holes
 from CNCStepper.job.slicing.solid_slices import Stack, stack_of
 from helpers.solids.closed_meshes import box, hull_with_cavities, inside_out, sphere, thin_wall
@@ -28,6 +28,26 @@ def test_the_stack_has_the_volume_of_the_solid(name: str, axis: str) -> None:
     stack = sliced(SOLIDS[name], axis, 1.0)
     assert stack.solid_volume_mm3 == pytest.approx(volume_mm3(SOLIDS[name]))
     assert stack.volume_mm3 == pytest.approx(stack.solid_volume_mm3, rel=0.01)
+
+
+@pytest.mark.parametrize("name", SOLIDS)
+def test_the_volume_in_each_sheet_is_exact(name: str) -> None:
+    mesh = SOLIDS[name]
+    heights = np.linspace(mesh[:, :, 2].min(), mesh[:, :, 2].max(), 14)
+    volumes = slab_volumes_mm3(mesh, heights)
+    assert (
+        sum(volumes) == pytest.approx(volume_mm3(mesh)) == pytest.approx(sum(slab_volumes_mm3(mesh[:, ::-1], heights)))
+    )
+    within = np.linspace(heights[6], heights[7], 41)
+    areas = [section_area(mesh, height).area for height in (within[1:] + within[:-1]) / 2.0]
+    assert volumes[6] == pytest.approx(np.mean(areas) * (heights[7] - heights[6]), rel=0.002)
+
+
+def test_sheets_that_are_thicker_than_the_solid_are_told_with_the_share() -> None:
+    assert sliced(SOLIDS["sphere"], "z", 1.0).notes == sliced(SOLIDS["wall"], "z", 1.0).notes == ()
+    notes = sliced(SOLIDS["wall"], "x", 1.0).notes
+    assert notes[0].startswith("sheet 1: the solid is thinner there than the sheet and fills ") and len(notes) == 3
+    assert notes[-1].startswith("the volume of the stack is off by +1")
 
 
 def test_sections_of_a_sphere_are_discs_and_cavities_are_holes() -> None:
