@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine assistant by real clicks: from nothing to a saved profile, whose values the virtual machine has."""
+"""The machine assistant by real clicks: from nothing to a saved profile, with which the virtual machine cuts a job."""
 
 from __future__ import annotations
 
@@ -13,12 +13,13 @@ import FreeCADGui
 import pytest
 from PySide import QtGui
 from test_language import PORTUGUESE, STARTED_IN
-from test_road import own_sessions  # noqa: F401
+from test_road import DOCK, own_sessions, step  # noqa: F401
 
+from CNCStepper.workbench.services.translation import tr
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
-A, FIELD = "CNCStepper_Assistant", "CNCStepper_Machine"
+A, FIELD, PANEL, PLAYER = "CNCStepper_Assistant", "CNCStepper_Machine", "CNCStepper_Panel_", "CNCStepper_Simulation_"
 MILL = "Genmitsu 3018-PRO – 300 × 180 × 45 mm"
 
 
@@ -81,7 +82,7 @@ def go_on(hand: Hand, number: int) -> None:
     hand.settle()
 
 
-def test_from_nothing_to_a_saved_machine_that_the_controller_has_too(hand: Hand, assistant: Any) -> None:
+def test_from_nothing_to_a_saved_machine_that_cuts_a_job(hand: Hand, assistant: Any) -> None:
     connect(hand)
     go_on(hand, 1)
     hand.item(f"{A}_starts", MILL)
@@ -96,6 +97,7 @@ def test_from_nothing_to_a_saved_machine_that_the_controller_has_too(hand: Hand,
     hand.click(f"{A}_next")
     hand.wait(lambda: dialog().steps.currentRow() == 5, what="the name")
     save(hand)
+    cut_a_job(hand)
 
 
 def connect(hand: Hand) -> None:
@@ -151,6 +153,10 @@ def measure(hand: Hand) -> None:
     assert hand.main(lambda: dialog().setup.identity.settings[100]) == pytest.approx(808.081, abs=0.001)
     assert hand.main(lambda: dialog().setup.draft.texts[("axis", "x", "steps_per_mm")]) == "808.0808"
     hand.shot(f"assistant-measured-{hand.main(FreeCADGui.getLocale)}", A)
+    hand.wait(lambda: not dialog().bench.why_not(), 20, "the machine")
+    hand.click(f"{A}_return")
+    hand.wait(lambda: dialog().bench.status.mpos_mm[0] == pytest.approx(0.0, abs=0.01), 30, "it is back")
+    hand.wait(lambda: not dialog().bench.why_not(), 20, "it rests")
 
 
 def save(hand: Hand) -> None:
@@ -164,6 +170,27 @@ def save(hand: Hand) -> None:
     assert hand.main(cut_off) == []
     hand.click(f"{A}_close")
     hand.wait(lambda: not dialog().isVisible(), what="its end")
+
+
+def cut_a_job(hand: Hand) -> None:
+    """Make a small job for the new machine, and cut it on the virtual one, which has its settings now."""
+    from CNCStepper.workbench import api
+
+    def made() -> None:
+        document = FreeCAD.newDocument("Assistant")
+        job = api.new_job(document, machine="meu-3018")
+        api.add_tool(job, diameter_mm=3, feed_mm_min=700, plunge_mm_min=200, spindle_rpm=8000)
+        api.add_operation(job, "circular_pocket", radius_mm=4, depth_mm=0.5)
+        document.recompute()
+
+    hand.main(made)
+    hand.settle()
+    hand.command("CNCStepper_Send")
+    step(hand, hand.main(tr, "Work zero"))
+    hand.click(f"{DOCK}ZeroAll")
+    hand.wait(lambda: hand.find(f"{DOCK}Start").isEnabled(), 20, "Start")
+    hand.click(f"{DOCK}Start")
+    step(hand, hand.main(tr, "Done"), 240)
 
 
 def test_settings_are_backed_up_and_restored_after_a_refusal(hand: Hand, assistant: Any, tmp_path: Path) -> None:
