@@ -54,7 +54,7 @@ class SettingsPage(Page):
         self.writing = self.button("write", tr("Write the differences…"), self._write)
         self.table = QtGui.QTableWidget(0, COLUMNS)
         self.table.setObjectName(f"{NAME}_settings")
-        self.table.setHorizontalHeaderLabels(["$", "", tr("Setting"), tr("Unit"), tr("Controller"), tr("Wanted")])
+        self.table.setHorizontalHeaderLabels(["$", "", tr("Name"), tr("Unit"), tr("Controller"), tr("Wanted")])
         self.table.verticalHeader().setVisible(False)
         self.table.horizontalHeader().setSectionResizeMode(NAME_COLUMN, QtGui.QHeaderView.ResizeMode.Stretch)
         self.table.setEditTriggers(QtGui.QAbstractItemView.EditTrigger.NoEditTriggers)
