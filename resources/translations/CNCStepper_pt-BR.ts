@@ -2637,7 +2637,7 @@
         </message>
         <message>
             <source>Spindle Speed</source>
-            <translation>Rotação do spindle</translation>
+            <translation>Rotação do fuso</translation>
         </message>
         <message>
             <source>Spindle Used</source>
@@ -2657,7 +2657,7 @@
         </message>
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
-            <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
+            <translation>Rotações do fuso por minuto; 0: as do material do trabalho</translation>
         </message>
         <message>
             <source>Split</source>
@@ -3217,7 +3217,7 @@
         </message>
         <message>
             <source>The spindle's speed in the program</source>
-            <translation>A rotação do spindle no programa</translation>
+            <translation>A rotação do fuso no programa</translation>
         </message>
         <message>
             <source>The step of the published method</source>
@@ -4216,7 +4216,7 @@
         </message>
         <message>
             <source>Allow jogging: spindle or beam off; Resume returns to the cut on a safe path.</source>
-            <translation>Permite mover a máquina manualmente: spindle ou feixe desligado; Retomar volta ao corte por um caminho seguro.</translation>
+            <translation>Permite mover a máquina manualmente: fuso ou feixe desligado; Retomar volta ao corte por um caminho seguro.</translation>
         </message>
         <message>
             <source>Along</source>
@@ -6192,7 +6192,7 @@
         </message>
         <message>
             <source>Hold: slow down and stop on the path; nothing is lost, the spindle keeps turning.</source>
-            <translation>Pausar: desacelera e fica parada; nada se perde, o spindle continua girando.</translation>
+            <translation>Pausar: desacelera e fica parada; nada se perde, o fuso continua girando.</translation>
         </message>
         <message>
             <source>Holder diameter</source>
@@ -9064,7 +9064,7 @@
         </message>
         <message>
             <source>Spindle turns a minute; 0: those of the job's material</source>
-            <translation>Rotações do spindle por minuto; 0: as do material do trabalho</translation>
+            <translation>Rotações do fuso por minuto; 0: as do material do trabalho</translation>
         </message>
         <message>
             <source>Spot holes below</source>
@@ -9212,7 +9212,7 @@
         </message>
         <message>
             <source>Stop: slow down, stop, spindle off; the rest of the job is not cut. This is not an emergency stop: the emergency stop is on the machine.</source>
-            <translation>Parar: desacelera, para e desliga o spindle; o resto do trabalho não é usinado. Isto não é uma parada de emergência: a parada de emergência fica na máquina.</translation>
+            <translation>Parar: desacelera, para e desliga o fuso; o resto do trabalho não é usinado. Isto não é uma parada de emergência: a parada de emergência fica na máquina.</translation>
         </message>
         <message>
             <source>Stopped</source>
@@ -9992,7 +9992,7 @@
         </message>
         <message>
             <source>The spindle's speed in the program</source>
-            <translation>A rotação do spindle no programa</translation>
+            <translation>A rotação do fuso no programa</translation>
         </message>
         <message>
             <source>The step of the published method</source>
@@ -13799,7 +13799,7 @@
         </message>
         <message>
             <source>a cut goes into stock while the spindle is off</source>
-            <translation>um corte entra no material com o spindle parado</translation>
+            <translation>um corte entra no material com o fuso parado</translation>
         </message>
         <message>
             <source>a cut of the arranged program lies elsewhere, or has another feed, spindle or tool</source>
@@ -17471,11 +17471,11 @@
         </message>
         <message>
             <source>laser mode needs a spindle of the kind Laser</source>
-            <translation>o modo laser exige um spindle do tipo Laser</translation>
+            <translation>o modo laser exige um fuso do tipo Laser</translation>
         </message>
         <message>
             <source>laser mode needs a variable spindle output</source>
-            <translation>o modo laser exige saída de spindle variável</translation>
+            <translation>o modo laser exige saída de fuso variável</translation>
         </message>
         <message>
             <source>laser mode: 1 is on, 0 off</source>
@@ -17747,11 +17747,11 @@
         </message>
         <message>
             <source>look at spindle and inverter, reset, then home the machine</source>
-            <translation>verifique spindle e inversor, reinicie e referencie a máquina</translation>
+            <translation>verifique fuso e inversor, reinicie e referencie a máquina</translation>
         </message>
         <message>
             <source>look at spindle and inverter, then home the machine</source>
-            <translation>verifique spindle e inversor e referencie a máquina</translation>
+            <translation>verifique fuso e inversor e referencie a máquina</translation>
         </message>
         <message>
             <source>look at the Bluetooth settings</source>
@@ -17807,7 +17807,7 @@
         </message>
         <message>
             <source>lower F, or turn the spindle faster</source>
-            <translation>diminua F, ou aumente a rotação do spindle</translation>
+            <translation>diminua F, ou aumente a rotação do fuso</translation>
         </message>
         <message>
             <source>lower F; the machine will take longer than the feed says</source>
@@ -17843,7 +17843,7 @@
         </message>
         <message>
             <source>lower the feed, or turn the spindle faster</source>
-            <translation>baixe o avanço ou gire o spindle mais rápido</translation>
+            <translation>baixe o avanço ou gire o fuso mais rápido</translation>
         </message>
         <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
@@ -19195,7 +19195,7 @@
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
-            <translation>aumente F, ou diminua a rotação do spindle</translation>
+            <translation>aumente F, ou diminua a rotação do fuso</translation>
         </message>
         <message>
             <source>raise first_depth_mm</source>
@@ -19223,7 +19223,7 @@
         </message>
         <message>
             <source>raise the feed, or turn the spindle slower</source>
-            <translation>aumente o avanço ou gire o spindle mais devagar</translation>
+            <translation>aumente o avanço ou gire o fuso mais devagar</translation>
         </message>
         <message>
             <source>raise the pull-off $27 or check the switch</source>
@@ -19839,7 +19839,7 @@
         </message>
         <message>
             <source>spindle, coolant or tool would be another</source>
-            <translation>spindle, refrigeração ou ferramenta seriam outros</translation>
+            <translation>fuso, refrigeração ou ferramenta seriam outros</translation>
         </message>
         <message>
             <source>spindle, torch or beam is on</source>
@@ -19847,7 +19847,7 @@
         </message>
         <message>
             <source>spindle, torch or beam may still be on: look, and switch them off at the machine</source>
-            <translation>spindle, tocha ou feixe podem ainda estar ligados: verifique e desligue-os na máquina</translation>
+            <translation>fuso, tocha ou feixe podem ainda estar ligados: verifique e desligue-os na máquina</translation>
         </message>
         <message>
             <source>spindle_rpm = {0}</source>
@@ -19927,7 +19927,7 @@
         </message>
         <message>
             <source>start the spindle with M3 and S before it</source>
-            <translation>ligue o spindle com M3 e S antes dele</translation>
+            <translation>ligue o fuso com M3 e S antes dele</translation>
         </message>
         <message>
             <source>start the torch with M3 $0 S1, the scribe with M3 $1 S1, a spot with M3 $2 S1</source>
@@ -20055,7 +20055,7 @@
         </message>
         <message>
             <source>switch the spindle on before that line</source>
-            <translation>ligue o spindle antes dessa linha</translation>
+            <translation>ligue o fuso antes dessa linha</translation>
         </message>
         <message>
             <source>switches the beam on at S{spindle_rpm:g} once it is down</source>
@@ -20203,7 +20203,7 @@
         </message>
         <message>
             <source>tapping became plain moves: the feed may be overridden, and nothing keeps it to the spindle</source>
-            <translation>o rosqueamento virou movimentos simples: o avanço pode ser ajustado e nada o prende ao spindle</translation>
+            <translation>o rosqueamento virou movimentos simples: o avanço pode ser ajustado e nada o prende ao fuso</translation>
         </message>
         <message>
             <source>tcp:// of this computer, or tls://</source>
@@ -20519,7 +20519,7 @@
         </message>
         <message>
             <source>the computer was late with a pulse and stopped after {written} writes, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
-            <translation>o computador se atrasou com um pulso e parou após {written} escritas no prazo, {at_ns:.3f} s depois do início; spindle, feixe e motores estão desligados, e passos podem ter sido perdidos</translation>
+            <translation>o computador se atrasou com um pulso e parou após {written} escritas no prazo, {at_ns:.3f} s depois do início; fuso, feixe e motores estão desligados, e passos podem ter sido perdidos</translation>
         </message>
         <message>
             <source>the configuration is not valid</source>
@@ -20791,7 +20791,7 @@
         </message>
         <message>
             <source>the cut begins without waiting for the spindle</source>
-            <translation>o corte começa sem esperar o spindle</translation>
+            <translation>o corte começa sem esperar o fuso</translation>
         </message>
         <message>
             <source>the cut goes into the part of another contour at X{x:.3f} Y{y:.3f}</source>
@@ -21367,7 +21367,7 @@
         </message>
         <message>
             <source>the highest spindle speed, which every S is scaled by</source>
-            <translation>a rotação máxima do spindle, pela qual todo S é escalado</translation>
+            <translation>a rotação máxima do fuso, pela qual todo S é escalado</translation>
         </message>
         <message>
             <source>the holder</source>
@@ -21795,11 +21795,11 @@
         </message>
         <message>
             <source>the machine has one spindle, number 0</source>
-            <translation>a máquina tem um só spindle, o de número 0</translation>
+            <translation>a máquina tem um só fuso, o de número 0</translation>
         </message>
         <message>
             <source>the machine is at rest, spindle and outputs are off, its position is kept (the reset cleared G92 and tool length)</source>
-            <translation>a máquina está parada, spindle e saídas desligados, a posição se mantém (o reset apagou G92 e o comprimento da ferramenta)</translation>
+            <translation>a máquina está parada, fuso e saídas desligados, a posição se mantém (o reset apagou G92 e o comprimento da ferramenta)</translation>
         </message>
         <message>
             <source>the machine is homed</source>
@@ -21883,7 +21883,7 @@
         </message>
         <message>
             <source>the machine's position is unknown: look that spindle and outputs are off, then home it or set its zero again</source>
-            <translation>a posição da máquina é desconhecida: veja se o spindle e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
+            <translation>a posição da máquina é desconhecida: veja se o fuso e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
             <source>the measured length is far from the commanded one</source>
@@ -22391,7 +22391,7 @@
         </message>
         <message>
             <source>the program pauses while the spindle turns</source>
-            <translation>o programa espera com o spindle girando</translation>
+            <translation>o programa espera com o fuso girando</translation>
         </message>
         <message>
             <source>the program pauses with the power on</source>
@@ -22731,15 +22731,15 @@
         </message>
         <message>
             <source>the spindle cannot turn at this speed</source>
-            <translation>o spindle não pode girar nesta rotação</translation>
+            <translation>o fuso não pode girar nesta rotação</translation>
         </message>
         <message>
             <source>the spindle does not follow the program</source>
-            <translation>o spindle não obedece</translation>
+            <translation>o fuso não obedece</translation>
         </message>
         <message>
             <source>the spindle does not reach its speed</source>
-            <translation>o spindle não atinge a rotação</translation>
+            <translation>o fuso não atinge a rotação</translation>
         </message>
         <message>
             <source>the spindle does not turn so fast</source>
@@ -22751,11 +22751,11 @@
         </message>
         <message>
             <source>the spindle does not turn, but the motion goes by its turns</source>
-            <translation>o spindle não gira, mas o movimento depende das voltas dele</translation>
+            <translation>o fuso não gira, mas o movimento depende das voltas dele</translation>
         </message>
         <message>
             <source>the spindle is switched on at S0, since no S came before</source>
-            <translation>o spindle é ligado com S0, pois nenhuma rotação foi indicada antes</translation>
+            <translation>o fuso é ligado com S0, pois nenhuma rotação foi indicada antes</translation>
         </message>
         <message>
             <source>the spindle of this machine does not follow X: it has no G96</source>
@@ -22763,15 +22763,15 @@
         </message>
         <message>
             <source>the spindle runs while the tool is changed</source>
-            <translation>o spindle gira durante a troca de ferramenta</translation>
+            <translation>o fuso gira durante a troca de ferramenta</translation>
         </message>
         <message>
             <source>the spindle speed is out of the spindle's range</source>
-            <translation>a rotação está fora da faixa do spindle</translation>
+            <translation>a rotação está fora da faixa do fuso</translation>
         </message>
         <message>
             <source>the spindle's speed is set by hand</source>
-            <translation>a rotação do spindle é ajustada à mão</translation>
+            <translation>a rotação do fuso é ajustada à mão</translation>
         </message>
         <message>
             <source>the splines and ellipses of the drawing are too many and too wild for the tolerance</source>
@@ -23811,11 +23811,11 @@
         </message>
         <message>
             <source>turn the spindle faster</source>
-            <translation>gire o spindle mais rápido</translation>
+            <translation>gire o fuso mais rápido</translation>
         </message>
         <message>
             <source>turn the spindle slower</source>
-            <translation>gire o spindle mais devagar</translation>
+            <translation>gire o fuso mais devagar</translation>
         </message>
         <message>
             <source>turn with at most {most:.4g} rpm</source>
@@ -24375,7 +24375,7 @@
         </message>
         <message>
             <source>words for the spindle</source>
-            <translation>palavras para o spindle</translation>
+            <translation>palavras para o fuso</translation>
         </message>
         <message>
             <source>words for this coolant</source>
@@ -24463,7 +24463,7 @@
         </message>
         <message>
             <source>write G4 P{needed_s:g} after the spindle starts</source>
-            <translation>escreva G4 P{needed_s:g} depois de ligar o spindle</translation>
+            <translation>escreva G4 P{needed_s:g} depois de ligar o fuso</translation>
         </message>
         <message>
             <source>write G40 before</source>
@@ -25651,7 +25651,7 @@
         </message>
         <message>
             <source>{name} has no feed: a feed per turn needs F and a spindle that turns</source>
-            <translation>{name} não tem avanço: um avanço por rotação precisa de F e de um spindle girando</translation>
+            <translation>{name} não tem avanço: um avanço por rotação precisa de F e de um fuso girando</translation>
         </message>
         <message>
             <source>{name} has no value for {argument:g}</source>
@@ -25727,7 +25727,7 @@
         </message>
         <message>
             <source>{name} moves with the spindle, whose speed is not set</source>
-            <translation>{name} se move com o spindle, cuja rotação não foi definida</translation>
+            <translation>{name} se move com o fuso, cuja rotação não foi definida</translation>
         </message>
         <message>
             <source>{name} needs a {letter} word</source>
@@ -25743,15 +25743,15 @@
         </message>
         <message>
             <source>{name} needs the spindle to turn</source>
-            <translation>{name} precisa que o spindle gire</translation>
+            <translation>{name} precisa que o fuso gire</translation>
         </message>
         <message>
             <source>{name} needs the spindle to turn clockwise (M3)</source>
-            <translation>{name} precisa que o spindle gire no sentido horário (M3)</translation>
+            <translation>{name} precisa que o fuso gire no sentido horário (M3)</translation>
         </message>
         <message>
             <source>{name} needs the spindle to turn counter-clockwise (M4)</source>
-            <translation>{name} precisa que o spindle gire no sentido anti-horário (M4)</translation>
+            <translation>{name} precisa que o fuso gire no sentido anti-horário (M4)</translation>
         </message>
         <message>
             <source>{name} needs the whole program: the profile is a subroutine</source>
@@ -25763,7 +25763,7 @@
         </message>
         <message>
             <source>{name} takes no F: the spindle drives it</source>
-            <translation>{name} não aceita F: o spindle o conduz</translation>
+            <translation>{name} não aceita F: o fuso o conduz</translation>
         </message>
         <message>
             <source>{name} was set before</source>

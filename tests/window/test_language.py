@@ -128,7 +128,7 @@ def test_the_panel_of_a_new_job_and_of_a_pocket_are_portuguese(hand: Hand) -> No
     hand.shot("language-pocket")
     assert hand.main(cut_off) == []
     assert not texts & ENGLISH
-    assert {"Penetração de trabalho ae", "Profundidade de corte ap"} <= texts
+    assert {"Largura por passe", "Profundidade por passe"} <= texts
 
 
 def test_the_property_editor_is_portuguese(hand: Hand) -> None:
@@ -156,7 +156,7 @@ def test_the_property_editor_is_portuguese(hand: Hand) -> None:
                 }
         return found
 
-    hand.wait(lambda: {"Ferramenta", "Diâmetro", "Rotação do spindle"} <= names(), 5, "Portuguese properties")
+    hand.wait(lambda: {"Ferramenta", "Diâmetro", "Rotação do fuso"} <= names(), 5, "Portuguese properties")
     hand.shot("language-properties")
 
 

@@ -86,6 +86,7 @@ def test_letters_are_drawn_sent_followed_and_led_back(hand: Hand, dock: Any, tmp
     hand.wait(lambda: 0 < dialog.slider.value() < 4 * SIDE, 30, "the pulses")
     hand.shot("letters-sending")
     hand.wait(lambda: dock.link.status.phase == "idle" and dialog.slider.value() == 4 * SIDE, 60, "the end")
+    hand.wait(lambda: not dialog._is_sent, 20, "the outcome, which shows the end once more")
     assert hand.main(stands) == begin
     hand.main(dialog.choose, 2 * SIDE)
     hand.wait(lambda: hand.text(f"{L}x") == f"+{SIDE}", what="the place that was chosen")
