@@ -67,7 +67,8 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
     "machine": (
         "Set up a machine",
         {
-            "machine": "List, make, show and change machine profiles.",
+            "machine": "List, make, show and change machine profiles; read and write FreeCAD's.",
+            "settings": "Back up, compare and restore a controller's settings.",
             "machine-test": "Try a machine out and measure it: pulses, relays, inputs, travel.",
             "ports": "List the serial ports, or say what controller answers at one.",
             "home": "Let a machine find its own zero.",

@@ -3763,7 +3763,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>1. To the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>1: equal depths; 2: equal areas of chip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>2. Move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>3. Correct</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3984,6 +3996,10 @@
         </message>
         <message>
             <source>A serial port, or an address as 192.168.0.7:23</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A serial port, or an address as socket://192.168.0.7:23</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4267,6 +4283,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Answered: {0}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Apply</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4339,6 +4359,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Ask again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4391,11 +4415,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Back up the settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Back up…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Backlash</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Backlash of the axis in the profile; the moves sent compensate it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Backup of settings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4579,6 +4615,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Change that one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Change the programmed value while cutting, in percent.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4643,7 +4683,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Choose the profile that is nearest to your machine, and enter its travel and speeds.</source>
+            <source>Choose what the machine does, and the machine that is nearest to yours.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4719,6 +4759,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Compare what the controller holds with your machine's values or a backup.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Compare with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Comparing the cut with the drawing…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4736,6 +4784,10 @@
         </message>
         <message>
             <source>Connect to the machine first, in the controller's panel.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Connected and idle.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5544,6 +5596,10 @@
         </message>
         <message>
             <source>Find</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Find its port, begin from a machine like yours, measure its axes and save it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6727,6 +6783,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its position is unknown afterwards: home it, or set its zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jaw diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7047,6 +7107,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Look again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Look at a finished job, change its numbers and simulate it.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7064,6 +7128,10 @@
         </message>
         <message>
             <source>Look at the port, then connect again.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Look at the values of your machine, and correct them.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7115,6 +7183,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Machine assistant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine file of FreeCAD</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine file of FreeCAD…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Machine profile</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7124,6 +7204,10 @@
         </message>
         <message>
             <source>Machines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machines of FreeCAD (*.fcm)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7200,6 +7284,10 @@
         </message>
         <message>
             <source>Meaning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Measure</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7316,6 +7404,10 @@
         </message>
         <message>
             <source>Move a point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move each axis by a known length and type what you measure. Take the tool out, or lift it, and keep a hand at the emergency stop.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7443,6 +7535,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>No controller with settings has answered.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>No job is unfinished.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7475,6 +7571,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Not now</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Not sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7492,6 +7592,10 @@
         </message>
         <message>
             <source>Nothing changes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nothing is connected.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7672,6 +7776,10 @@
         </message>
         <message>
             <source>One step on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Only differences</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7976,6 +8084,10 @@
         </message>
         <message>
             <source>Please report it, with the details, at {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plug the machine in and choose its port. Without a machine go to Next.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8559,6 +8671,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Save the machine under a name: jobs and the controller's panel offer it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Save these rules as a template of the shop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8691,11 +8807,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Set up a machine…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Set up my machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Setting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Settings (*.txt *.nc *.gcode)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Settings (*.txt)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9043,6 +9175,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Steps</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Steps of the ramp</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9156,6 +9292,10 @@
         </message>
         <message>
             <source>Take the chosen part from its sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the controller's values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9516,6 +9656,10 @@
         </message>
         <message>
             <source>The layer in the file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length is right: nothing to correct.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9927,6 +10071,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The values of the controller are in the fields.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9983,6 +10131,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>There is a machine {0} already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>There is no restart to send yet.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10012,6 +10164,10 @@
         </message>
         <message>
             <source>This card does not come again by itself: it is in the menu CNCStepper, First steps.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>This computer itself is the controller, by the machine's profile.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10359,6 +10515,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Warning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10675,11 +10835,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Write</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write for FreeCAD…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Write program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Write the differences…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Write the one checked program of all copies</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write {0} settings to the controller?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write {0} to the controller?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10776,6 +10956,10 @@
         </message>
         <message>
             <source>[The whole manual]({0}) opens in the browser.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a backup…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11903,6 +12087,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine's values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the nearest edge</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11988,6 +12176,10 @@
         </message>
         <message>
             <source>tube</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12111,6 +12303,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} has {1:g} steps per mm now.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is as its file again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12119,11 +12315,27 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is new: that is your machine.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is no operation and is not moved</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is read. What it does not have comes from the machine on the left.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is written and read back.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} is written. New jobs can use it.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12159,6 +12371,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} of {1} settings are written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} on layer '{1}' at X {2} Y {3}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12180,6 +12396,18 @@
         </message>
         <message>
             <source>{0} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} settings are written and read back.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} settings differ.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} settings, axes {1}.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12264,6 +12492,10 @@
         </message>
         <message>
             <source>{0}: its operations are replaced</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: {1:g} steps per mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12503,6 +12735,10 @@
         </message>
         <message>
             <source>00 to 99, in tenths of a mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>; settings of {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12855,6 +13091,10 @@
         </message>
         <message>
             <source>Flanges and plates</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC keeps its settings in its configuration file, not by $ numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13746,6 +13986,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a limit, speed or power in the file is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a line does not fit the controller's buffer</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14574,6 +14818,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14727,6 +14975,10 @@
         </message>
         <message>
             <source>automatic mode: from here on the link cannot stop the lathe, and only switching it off returns it to manual mode</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>axes that home to their negative end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14942,6 +15194,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>change config.yaml on the controller, or its page in the browser, then read the settings again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>change one of its dimensions</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14955,6 +15211,10 @@
         </message>
         <message>
             <source>change the feeds of the other lines by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change the machine's profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15370,6 +15630,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>compare again to see what it holds now; correct that setting, or leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>compute it in several lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15710,7 +15974,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>debounce of the limit switches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>delay before the motors are switched off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15999,6 +16271,10 @@
         </message>
         <message>
             <source>facing takes a right-hand tool for the outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>fast homing speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16490,6 +16766,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>hard limits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>has no</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16499,6 +16779,10 @@
         </message>
         <message>
             <source>heights differ by {rise:.4g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>highest spindle speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16567,6 +16851,10 @@
         </message>
         <message>
             <source>homing can be stopped</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>homing cycle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16651,6 +16939,26 @@
         </message>
         <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted directions</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted enable pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted limit pins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted probe pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inverted step pins</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17098,6 +17406,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>junction deviation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>keep half a kerf beside the part</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17151,6 +17463,10 @@
         </message>
         <message>
             <source>larger than {largest_bytes} MB</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>laser mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17410,6 +17726,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>look at its memory and its supply, then write them again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at its name and rights</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17527,6 +17847,10 @@
         </message>
         <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lowest spindle speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19034,6 +19358,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>reports in inches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>reset it, then home it or set its zero again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19178,7 +19506,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>save one with a backup</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save the file as UTF-8 text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save the machine again in FreeCAD's machine editor (CAM)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19470,7 +19806,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>slow homing speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>smooth_mm belongs to points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>soft limits</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19591,6 +19935,10 @@
         </message>
         <message>
             <source>starts the spindle at {spindle_rpm:g} rpm, {sense}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>step pulse</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20310,6 +20658,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller refused {line}: {answer}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller refused {line}: {meaning} (error:{error})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20347,6 +20699,10 @@
         </message>
         <message>
             <source>the controller stopped by a critical fault</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller took the settings, but holds others when they are read back</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20831,6 +21187,10 @@
         </message>
         <message>
             <source>the file holds no object</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file holds no settings of a controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21427,6 +21787,10 @@
         </message>
         <message>
             <source>the machine has no {name} coolant</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine has not the axes X and Y, or X and Z</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23126,7 +23490,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is no machine file of FreeCAD: it has no axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is no pulse letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is no setting: {line}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23930,7 +24302,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>way back from a limit switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>way out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what a status report holds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24275,6 +24655,10 @@
         </message>
         <message>
             <source>write each program so that it can run on its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write each setting as $number=value, as $$ prints it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24666,6 +25050,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{axis}: highest speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{axis}: steps per mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{beyond_mm:.3f} mm beyond</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24695,6 +25087,10 @@
         </message>
         <message>
             <source>{code} needs a {letter} word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{controller} has no settings of its own: the profile has them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24831,6 +25227,10 @@
         </message>
         <message>
             <source>{doing} takes more memory than there is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{done} of {count} settings written</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25374,6 +25774,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name}, version {version}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name}, version {version}, on {board}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25690,6 +26098,17 @@
         </message>
         <message>
             <source>Places programs on the work surface with the mouse, and makes one program of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Assistant</name>
+        <message>
+            <source>Machine assistant…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Sets a machine up: port, values, measured axes, settings, and a profile of its own</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

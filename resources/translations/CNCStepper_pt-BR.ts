@@ -3763,8 +3763,20 @@
             <translation>1 a 9, onde fica a ponta; 0: conforme o tipo e a mão</translation>
         </message>
         <message>
+            <source>1. To the start</source>
+            <translation>1. Ao início</translation>
+        </message>
+        <message>
             <source>1: equal depths; 2: equal areas of chip</source>
             <translation>1: profundidades iguais; 2: áreas de cavaco iguais</translation>
+        </message>
+        <message>
+            <source>2. Move</source>
+            <translation>2. Mover</translation>
+        </message>
+        <message>
+            <source>3. Correct</source>
+            <translation>3. Corrigir</translation>
         </message>
         <message>
             <source>45° blade</source>
@@ -3985,6 +3997,10 @@
         <message>
             <source>A serial port, or an address as 192.168.0.7:23</source>
             <translation>Uma porta serial, ou um endereço como 192.168.0.7:23</translation>
+        </message>
+        <message>
+            <source>A serial port, or an address as socket://192.168.0.7:23</source>
+            <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
         </message>
         <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
@@ -4267,6 +4283,10 @@
             <translation>Responda à pergunta do zero da peça com Iniciar. Na máquina virtual o caminho está livre.</translation>
         </message>
         <message>
+            <source>Answered: {0}.</source>
+            <translation>Respondeu: {0}.</translation>
+        </message>
+        <message>
             <source>Apply</source>
             <translation>Aplicar</translation>
         </message>
@@ -4339,6 +4359,10 @@
             <translation>Como as tabelas de corte da máquina o chamam</translation>
         </message>
         <message>
+            <source>Ask again</source>
+            <translation>Perguntar de novo</translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
@@ -4391,12 +4415,24 @@
             <translation>Voltar daqui ao início</translation>
         </message>
         <message>
+            <source>Back up the settings</source>
+            <translation>Guardar cópia dos ajustes</translation>
+        </message>
+        <message>
+            <source>Back up…</source>
+            <translation>Guardar cópia…</translation>
+        </message>
+        <message>
             <source>Backlash</source>
             <translation>Folga</translation>
         </message>
         <message>
             <source>Backlash of the axis in the profile; the moves sent compensate it</source>
             <translation>O que o eixo perde em uma inversão, como diz o perfil; os movimentos enviados compensam</translation>
+        </message>
+        <message>
+            <source>Backup of settings</source>
+            <translation>Cópia dos ajustes</translation>
         </message>
         <message>
             <source>Bar</source>
@@ -4579,6 +4615,10 @@
             <translation>Mudança da espera</translation>
         </message>
         <message>
+            <source>Change that one</source>
+            <translation>Alterar essa</translation>
+        </message>
+        <message>
             <source>Change the programmed value while cutting, in percent.</source>
             <translation>Ajusta o valor programado durante o corte, em porcento.</translation>
         </message>
@@ -4643,8 +4683,8 @@
             <translation>Escolha aqui</translation>
         </message>
         <message>
-            <source>Choose the profile that is nearest to your machine, and enter its travel and speeds.</source>
-            <translation>Escolha o perfil mais próximo da sua máquina e informe cursos e velocidades.</translation>
+            <source>Choose what the machine does, and the machine that is nearest to yours.</source>
+            <translation>Escolha o que a máquina faz e a máquina mais parecida com a sua.</translation>
         </message>
         <message>
             <source>Chuck</source>
@@ -4719,6 +4759,14 @@
             <translation>Linhas comuns</translation>
         </message>
         <message>
+            <source>Compare what the controller holds with your machine's values or a backup.</source>
+            <translation>Compare o que o controlador guarda com os valores da sua máquina ou com uma cópia.</translation>
+        </message>
+        <message>
+            <source>Compare with</source>
+            <translation>Comparar com</translation>
+        </message>
+        <message>
             <source>Comparing the cut with the drawing…</source>
             <translation>Comparando o corte com o desenho…</translation>
         </message>
@@ -4737,6 +4785,10 @@
         <message>
             <source>Connect to the machine first, in the controller's panel.</source>
             <translation>Conecte primeiro à máquina, no painel do controlador.</translation>
+        </message>
+        <message>
+            <source>Connected and idle.</source>
+            <translation>Conectada e parada.</translation>
         </message>
         <message>
             <source>Connected and idle. Take the tool out, or lift it.</source>
@@ -5545,6 +5597,10 @@
         <message>
             <source>Find</source>
             <translation>Localizar</translation>
+        </message>
+        <message>
+            <source>Find its port, begin from a machine like yours, measure its axes and save it.</source>
+            <translation>Ache a porta, comece por uma máquina como a sua, meça os eixos e salve.</translation>
         </message>
         <message>
             <source>Find the cause, then home the machine or unlock it.</source>
@@ -6727,6 +6783,10 @@
             <translation>O nome dela, que é o da operação</translation>
         </message>
         <message>
+            <source>Its position is unknown afterwards: home it, or set its zero.</source>
+            <translation>Depois disso a posição é desconhecida: referencie a máquina ou defina o zero.</translation>
+        </message>
+        <message>
             <source>Jaw diameter</source>
             <translation>Diâmetro das castanhas</translation>
         </message>
@@ -7047,6 +7107,10 @@
             <translation>Roda de trava</translation>
         </message>
         <message>
+            <source>Look again</source>
+            <translation>Procurar de novo</translation>
+        </message>
+        <message>
             <source>Look at a finished job, change its numbers and simulate it.</source>
             <translation>Veja um trabalho pronto, mude os números e simule.</translation>
         </message>
@@ -7065,6 +7129,10 @@
         <message>
             <source>Look at the port, then connect again.</source>
             <translation>Examine a porta e conecte de novo.</translation>
+        </message>
+        <message>
+            <source>Look at the values of your machine, and correct them.</source>
+            <translation>Confira os valores da sua máquina e corrija-os.</translation>
         </message>
         <message>
             <source>Look-ahead</source>
@@ -7115,6 +7183,18 @@
             <translation>Máquina</translation>
         </message>
         <message>
+            <source>Machine assistant</source>
+            <translation>Assistente de máquina</translation>
+        </message>
+        <message>
+            <source>Machine file of FreeCAD</source>
+            <translation>Arquivo de máquina do FreeCAD</translation>
+        </message>
+        <message>
+            <source>Machine file of FreeCAD…</source>
+            <translation>Arquivo de máquina do FreeCAD…</translation>
+        </message>
+        <message>
             <source>Machine profile</source>
             <translation>Perfil da máquina</translation>
         </message>
@@ -7125,6 +7205,10 @@
         <message>
             <source>Machines</source>
             <translation>Máquinas</translation>
+        </message>
+        <message>
+            <source>Machines of FreeCAD (*.fcm)</source>
+            <translation>Máquinas do FreeCAD (*.fcm)</translation>
         </message>
         <message>
             <source>Made from</source>
@@ -7201,6 +7285,10 @@
         <message>
             <source>Meaning</source>
             <translation>Significado</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>Medir</translation>
         </message>
         <message>
             <source>Measured</source>
@@ -7317,6 +7405,10 @@
         <message>
             <source>Move a point</source>
             <translation>Mover um ponto</translation>
+        </message>
+        <message>
+            <source>Move each axis by a known length and type what you measure. Take the tool out, or lift it, and keep a hand at the emergency stop.</source>
+            <translation>Mova cada eixo por um comprimento conhecido e digite o que mediu. Tire ou levante a ferramenta e fique com a mão na parada de emergência.</translation>
         </message>
         <message>
             <source>Move for as long as an arrow is held down; letting go stops.</source>
@@ -7443,6 +7535,10 @@
             <translation>Nenhum controlador está conectado.</translation>
         </message>
         <message>
+            <source>No controller with settings has answered.</source>
+            <translation>Nenhum controlador com ajustes respondeu.</translation>
+        </message>
+        <message>
             <source>No job is unfinished.</source>
             <translation>Nenhum trabalho está inacabado.</translation>
         </message>
@@ -7475,6 +7571,10 @@
             <translation>Desconectado</translation>
         </message>
         <message>
+            <source>Not now</source>
+            <translation>Agora não</translation>
+        </message>
+        <message>
             <source>Not sent</source>
             <translation>Não enviado</translation>
         </message>
@@ -7493,6 +7593,10 @@
         <message>
             <source>Nothing changes.</source>
             <translation>Nada muda.</translation>
+        </message>
+        <message>
+            <source>Nothing is connected.</source>
+            <translation>Nada está conectado.</translation>
         </message>
         <message>
             <source>Nothing moves that could be held.</source>
@@ -7673,6 +7777,10 @@
         <message>
             <source>One step on</source>
             <translation>Um passo adiante</translation>
+        </message>
+        <message>
+            <source>Only differences</source>
+            <translation>Só diferenças</translation>
         </message>
         <message>
             <source>Open a G-code file</source>
@@ -7977,6 +8085,10 @@
         <message>
             <source>Please report it, with the details, at {0}</source>
             <translation>Relate-a, com os detalhes, em {0}</translation>
+        </message>
+        <message>
+            <source>Plug the machine in and choose its port. Without a machine go to Next.</source>
+            <translation>Ligue a máquina e escolha a porta. Sem máquina, siga em Próximo.</translation>
         </message>
         <message>
             <source>Plunge feed</source>
@@ -8559,6 +8671,10 @@
             <translation>Salvar modelo</translation>
         </message>
         <message>
+            <source>Save the machine under a name: jobs and the controller's panel offer it.</source>
+            <translation>Salve a máquina com um nome: os trabalhos e o painel do controlador a oferecem.</translation>
+        </message>
+        <message>
             <source>Save these rules as a template of the shop</source>
             <translation>Salva estas regras como um modelo da oficina</translation>
         </message>
@@ -8691,12 +8807,28 @@
             <translation>Enviado à frente no máximo</translation>
         </message>
         <message>
+            <source>Set up a machine…</source>
+            <translation>Configurar máquina…</translation>
+        </message>
+        <message>
             <source>Set up my machine</source>
             <translation>Configurar minha máquina</translation>
         </message>
         <message>
             <source>Setting</source>
             <translation>Composição</translation>
+        </message>
+        <message>
+            <source>Settings</source>
+            <translation>Ajustes</translation>
+        </message>
+        <message>
+            <source>Settings (*.txt *.nc *.gcode)</source>
+            <translation>Ajustes (*.txt *.nc *.gcode)</translation>
+        </message>
+        <message>
+            <source>Settings (*.txt)</source>
+            <translation>Ajustes (*.txt)</translation>
         </message>
         <message>
             <source>Shaft: turned on a lathe</source>
@@ -9043,6 +9175,10 @@
             <translation>Motor de passo (malha aberta)</translation>
         </message>
         <message>
+            <source>Steps</source>
+            <translation>Etapas</translation>
+        </message>
+        <message>
             <source>Steps of the ramp</source>
             <translation>Passos da rampa</translation>
         </message>
@@ -9157,6 +9293,10 @@
         <message>
             <source>Take the chosen part from its sheet</source>
             <translation>Retirar a peça escolhida da sua chapa</translation>
+        </message>
+        <message>
+            <source>Take the controller's values</source>
+            <translation>Usar os valores do controlador</translation>
         </message>
         <message>
             <source>Take the dial's reading from both sides first.</source>
@@ -9517,6 +9657,10 @@
         <message>
             <source>The layer in the file</source>
             <translation>A camada no arquivo</translation>
+        </message>
+        <message>
+            <source>The length is right: nothing to correct.</source>
+            <translation>O comprimento está certo: nada a corrigir.</translation>
         </message>
         <message>
             <source>The length of all cuts</source>
@@ -9927,6 +10071,10 @@
             <translation>A tocha acima da chapa enquanto perfura; 0: a altura da tabela</translation>
         </message>
         <message>
+            <source>The values of the controller are in the fields.</source>
+            <translation>Os valores do controlador estão nos campos.</translation>
+        </message>
+        <message>
             <source>The waits between steps from rest, in ms, none longer than the one before it</source>
             <translation>As esperas entre passos a partir do repouso, em ms, nenhuma maior que a anterior</translation>
         </message>
@@ -9983,6 +10131,10 @@
             <translation>Seu diâmetro; pinos por eles alinham as chapas; 0: nenhum</translation>
         </message>
         <message>
+            <source>There is a machine {0} already.</source>
+            <translation>Já existe uma máquina {0}.</translation>
+        </message>
+        <message>
             <source>There is no restart to send yet.</source>
             <translation>Ainda não há retomada para enviar.</translation>
         </message>
@@ -10013,6 +10165,10 @@
         <message>
             <source>This card does not come again by itself: it is in the menu CNCStepper, First steps.</source>
             <translation>Este cartão não volta sozinho: está no menu CNCStepper, Primeiros passos.</translation>
+        </message>
+        <message>
+            <source>This computer itself is the controller, by the machine's profile.</source>
+            <translation>Este computador é o próprio controlador, conforme o perfil da máquina.</translation>
         </message>
         <message>
             <source>This is cut by: {0}. The job's process is: {1}</source>
@@ -10359,6 +10515,10 @@
             <translation>Avanço na parede</translation>
         </message>
         <message>
+            <source>Wanted</source>
+            <translation>Desejado</translation>
+        </message>
+        <message>
             <source>Warning</source>
             <translation>Aviso</translation>
         </message>
@@ -10675,12 +10835,32 @@
             <translation>Zero-peça</translation>
         </message>
         <message>
+            <source>Write</source>
+            <translation>Gravar</translation>
+        </message>
+        <message>
+            <source>Write for FreeCAD…</source>
+            <translation>Gravar para o FreeCAD…</translation>
+        </message>
+        <message>
             <source>Write program</source>
             <translation>Gravar programa</translation>
         </message>
         <message>
+            <source>Write the differences…</source>
+            <translation>Gravar as diferenças…</translation>
+        </message>
+        <message>
             <source>Write the one checked program of all copies</source>
             <translation>Gravar o programa único e verificado de todas as cópias</translation>
+        </message>
+        <message>
+            <source>Write {0} settings to the controller?</source>
+            <translation>Gravar {0} ajustes no controlador?</translation>
+        </message>
+        <message>
+            <source>Write {0} to the controller?</source>
+            <translation>Gravar {0} no controlador?</translation>
         </message>
         <message>
             <source>Writes the text into a file</source>
@@ -10777,6 +10957,10 @@
         <message>
             <source>[The whole manual]({0}) opens in the browser.</source>
             <translation>[O manual completo]({0}) abre no navegador.</translation>
+        </message>
+        <message>
+            <source>a backup…</source>
+            <translation>uma cópia…</translation>
         </message>
         <message>
             <source>a comment</source>
@@ -11903,6 +12087,10 @@
             <translation>o da máquina</translation>
         </message>
         <message>
+            <source>the machine's values</source>
+            <translation>os valores da máquina</translation>
+        </message>
+        <message>
             <source>the nearest edge</source>
             <translation>a borda mais próxima</translation>
         </message>
@@ -11989,6 +12177,10 @@
         <message>
             <source>tube</source>
             <translation>tubo</translation>
+        </message>
+        <message>
+            <source>turning</source>
+            <translation>torneamento</translation>
         </message>
         <message>
             <source>turning outside</source>
@@ -12111,6 +12303,10 @@
             <translation>{0} não tem o que usinar: adicione uma operação</translation>
         </message>
         <message>
+            <source>{0} has {1:g} steps per mm now.</source>
+            <translation>{0} tem agora {1:g} passos por mm.</translation>
+        </message>
+        <message>
             <source>{0} is as its file again</source>
             <translation>{0} está de novo como seu arquivo</translation>
         </message>
@@ -12119,12 +12315,28 @@
             <translation>{0} é usinada com ela; escolha antes outra ferramenta lá</translation>
         </message>
         <message>
+            <source>{0} is new: that is your machine.</source>
+            <translation>{0} é nova: é a sua máquina.</translation>
+        </message>
+        <message>
             <source>{0} is no operation and is not moved</source>
             <translation>{0} não é uma operação e não é movido</translation>
         </message>
         <message>
+            <source>{0} is read. What it does not have comes from the machine on the left.</source>
+            <translation>{0} foi lida. O que falta nela vem da máquina à esquerda.</translation>
+        </message>
+        <message>
+            <source>{0} is written and read back.</source>
+            <translation>{0} foi gravado e relido.</translation>
+        </message>
+        <message>
             <source>{0} is written.</source>
             <translation>{0} foi gravado.</translation>
+        </message>
+        <message>
+            <source>{0} is written. New jobs can use it.</source>
+            <translation>{0} foi gravado. Novos trabalhos podem usá-lo.</translation>
         </message>
         <message>
             <source>{0} is {1} now: save it.</source>
@@ -12159,6 +12371,10 @@
             <translation>{0} de {1} linhas, linha {2} do arquivo, enviado até a linha {3}</translation>
         </message>
         <message>
+            <source>{0} of {1} settings are written.</source>
+            <translation>{0} de {1} ajustes foram gravados.</translation>
+        </message>
+        <message>
             <source>{0} on layer '{1}' at X {2} Y {3}</source>
             <translation>{0} na camada '{1}' em X {2} Y {3}</translation>
         </message>
@@ -12181,6 +12397,18 @@
         <message>
             <source>{0} rpm</source>
             <translation>{0} rpm</translation>
+        </message>
+        <message>
+            <source>{0} settings are written and read back.</source>
+            <translation>{0} ajustes foram gravados e relidos.</translation>
+        </message>
+        <message>
+            <source>{0} settings differ.</source>
+            <translation>{0} ajustes diferem.</translation>
+        </message>
+        <message>
+            <source>{0} settings, axes {1}.</source>
+            <translation>{0} ajustes, eixos {1}.</translation>
         </message>
         <message>
             <source>{0} slices, {1} pieces on {2} sheets of material; volume {3} % of the solid</source>
@@ -12265,6 +12493,10 @@
         <message>
             <source>{0}: its operations are replaced</source>
             <translation>{0}: as operações dele são trocadas</translation>
+        </message>
+        <message>
+            <source>{0}: {1:g} steps per mm</source>
+            <translation>{0}: {1:g} passos por mm</translation>
         </message>
         <message>
             <source>{0}: {1}</source>
@@ -12504,6 +12736,10 @@
         <message>
             <source>00 to 99, in tenths of a mm</source>
             <translation>00 a 99, em décimos de mm</translation>
+        </message>
+        <message>
+            <source>; settings of {0}</source>
+            <translation>; ajustes de {0}</translation>
         </message>
         <message>
             <source>= is missing after the parameter</source>
@@ -12856,6 +13092,10 @@
         <message>
             <source>Flanges and plates</source>
             <translation>Flanges e chapas</translation>
+        </message>
+        <message>
+            <source>FluidNC keeps its settings in its configuration file, not by $ numbers</source>
+            <translation>o FluidNC guarda os ajustes no seu arquivo de configuração, não por números $</translation>
         </message>
         <message>
             <source>FreeCAD has no stock of a height field</source>
@@ -13746,6 +13986,10 @@
             <translation>um fim de curso estava acionado antes do referenciamento, e não se sabe qual</translation>
         </message>
         <message>
+            <source>a limit, speed or power in the file is no number</source>
+            <translation>um limite, velocidade ou potência no arquivo não é número</translation>
+        </message>
+        <message>
             <source>a line does not fit the controller's buffer</source>
             <translation>uma linha não cabe no buffer do controlador</translation>
         </message>
@@ -14574,6 +14818,10 @@
             <translation>vindo de cima, o eixo fica abaixo de onde fica vindo de baixo</translation>
         </message>
         <message>
+            <source>arc tolerance</source>
+            <translation>tolerância de arco</translation>
+        </message>
+        <message>
             <source>arcs are in XY</source>
             <translation>os arcos ficam em XY</translation>
         </message>
@@ -14728,6 +14976,10 @@
         <message>
             <source>automatic mode: from here on the link cannot stop the lathe, and only switching it off returns it to manual mode</source>
             <translation>modo automático: daqui em diante nada para o torno pela sua ligação, e não há volta ao modo manual até que ele seja desligado</translation>
+        </message>
+        <message>
+            <source>axes that home to their negative end</source>
+            <translation>eixos que referenciam no extremo negativo</translation>
         </message>
         <message>
             <source>axis offsets may not be changed</source>
@@ -14942,6 +15194,10 @@
             <translation>altere F no programa</translation>
         </message>
         <message>
+            <source>change config.yaml on the controller, or its page in the browser, then read the settings again</source>
+            <translation>altere config.yaml no controlador, ou a página dele no navegador, e leia os ajustes de novo</translation>
+        </message>
+        <message>
             <source>change one of its dimensions</source>
             <translation>mude uma das dimensões</translation>
         </message>
@@ -14956,6 +15212,10 @@
         <message>
             <source>change the feeds of the other lines by hand</source>
             <translation>mude à mão os avanços das outras linhas</translation>
+        </message>
+        <message>
+            <source>change the machine's profile</source>
+            <translation>altere o perfil da máquina</translation>
         </message>
         <message>
             <source>change the text to start it again</source>
@@ -15370,6 +15630,10 @@
             <translation>linhas comuns: {blocks} blocos de peças, {length:.3f} m de corte e {pierces} perfurações poupados</translation>
         </message>
         <message>
+            <source>compare again to see what it holds now; correct that setting, or leave it out</source>
+            <translation>compare de novo para ver o que ele guarda agora; corrija esse ajuste ou deixe-o fora</translation>
+        </message>
+        <message>
             <source>compute it in several lines</source>
             <translation>calcule-a em várias linhas</translation>
         </message>
@@ -15710,8 +15974,16 @@
             <translation>dask.distributed não está instalado</translation>
         </message>
         <message>
+            <source>debounce of the limit switches</source>
+            <translation>tempo de repique dos fins de curso</translation>
+        </message>
+        <message>
             <source>define it, or put its file beside the program</source>
             <translation>defina-a ou ponha o seu arquivo ao lado do programa</translation>
+        </message>
+        <message>
+            <source>delay before the motors are switched off</source>
+            <translation>espera até desligar os motores</translation>
         </message>
         <message>
             <source>depth_mm is deeper than the bar sticks out of the chuck</source>
@@ -16000,6 +16272,10 @@
         <message>
             <source>facing takes a right-hand tool for the outside</source>
             <translation>o faceamento usa uma ferramenta externa direita</translation>
+        </message>
+        <message>
+            <source>fast homing speed</source>
+            <translation>velocidade rápida de referência</translation>
         </message>
         <message>
             <source>feed mode set to inverse time</source>
@@ -16490,6 +16766,10 @@
             <translation>a metade da diferença dos diâmetros</translation>
         </message>
         <message>
+            <source>hard limits</source>
+            <translation>limites físicos</translation>
+        </message>
+        <message>
             <source>has no</source>
             <translation>não tem</translation>
         </message>
@@ -16500,6 +16780,10 @@
         <message>
             <source>heights differ by {rise:.4g} mm</source>
             <translation>as alturas diferem em {rise:.4g} mm</translation>
+        </message>
+        <message>
+            <source>highest spindle speed</source>
+            <translation>maior rotação do fuso</translation>
         </message>
         <message>
             <source>hold it first</source>
@@ -16568,6 +16852,10 @@
         <message>
             <source>homing can be stopped</source>
             <translation>o referenciamento pode ser parado</translation>
+        </message>
+        <message>
+            <source>homing cycle</source>
+            <translation>ciclo de referência</translation>
         </message>
         <message>
             <source>homing found no limit switch</source>
@@ -16652,6 +16940,26 @@
         <message>
             <source>install them in one (python -m pip install {packages}), or set {variable} to a Python that has them</source>
             <translation>instale-os em um (python -m pip install {packages}), ou aponte {variable} para um Python que os tenha</translation>
+        </message>
+        <message>
+            <source>inverted directions</source>
+            <translation>sentidos invertidos</translation>
+        </message>
+        <message>
+            <source>inverted enable pin</source>
+            <translation>pino de habilitação invertido</translation>
+        </message>
+        <message>
+            <source>inverted limit pins</source>
+            <translation>pinos de fim de curso invertidos</translation>
+        </message>
+        <message>
+            <source>inverted probe pin</source>
+            <translation>pino da sonda invertido</translation>
+        </message>
+        <message>
+            <source>inverted step pins</source>
+            <translation>pinos de passo invertidos</translation>
         </message>
         <message>
             <source>is read as a line of its own, in a whole program, where the dialect has subroutines</source>
@@ -17098,6 +17406,10 @@
             <translation>junte-os em um só contorno, ou mova um deles</translation>
         </message>
         <message>
+            <source>junction deviation</source>
+            <translation>desvio de junção</translation>
+        </message>
+        <message>
             <source>keep half a kerf beside the part</source>
             <translation>fique meia largura de corte ao lado da peça</translation>
         </message>
@@ -17152,6 +17464,10 @@
         <message>
             <source>larger than {largest_bytes} MB</source>
             <translation>maior que {largest_bytes} MB</translation>
+        </message>
+        <message>
+            <source>laser mode</source>
+            <translation>modo laser</translation>
         </message>
         <message>
             <source>laser mode needs a spindle of the kind Laser</source>
@@ -17410,6 +17726,10 @@
             <translation>veja maiúsculas e minúsculas, ou procure também nos comentários</translation>
         </message>
         <message>
+            <source>look at its memory and its supply, then write them again</source>
+            <translation>verifique a memória e a alimentação dele e grave de novo</translation>
+        </message>
+        <message>
             <source>look at its name and rights</source>
             <translation>veja seu nome e suas permissões</translation>
         </message>
@@ -17528,6 +17848,10 @@
         <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
             <translation>diminua a penetração de trabalho, entre em hélice, ou deixe menos material nos cantos</translation>
+        </message>
+        <message>
+            <source>lowest spindle speed</source>
+            <translation>menor rotação do fuso</translation>
         </message>
         <message>
             <source>machines with more than three axes are not written for Mach yet</source>
@@ -19034,6 +19358,10 @@
             <translation>repare o sólido ou use outra espessura</translation>
         </message>
         <message>
+            <source>reports in inches</source>
+            <translation>informa em polegadas</translation>
+        </message>
+        <message>
             <source>reset it, then home it or set its zero again</source>
             <translation>reinicie-o; depois referencie a máquina ou defina o zero de novo</translation>
         </message>
@@ -19178,8 +19506,16 @@
             <translation>salve-o com os estilos como atributos</translation>
         </message>
         <message>
+            <source>save one with a backup</source>
+            <translation>guarde uma cópia primeiro</translation>
+        </message>
+        <message>
             <source>save the file as UTF-8 text</source>
             <translation>salve o arquivo como texto UTF-8</translation>
+        </message>
+        <message>
+            <source>save the machine again in FreeCAD's machine editor (CAM)</source>
+            <translation>salve a máquina de novo no editor de máquinas do FreeCAD (CAM)</translation>
         </message>
         <message>
             <source>scale all axes alike</source>
@@ -19470,8 +19806,16 @@
             <translation>fatie de novo</translation>
         </message>
         <message>
+            <source>slow homing speed</source>
+            <translation>velocidade lenta de referência</translation>
+        </message>
+        <message>
             <source>smooth_mm belongs to points</source>
             <translation>smooth_mm pertence a points</translation>
+        </message>
+        <message>
+            <source>soft limits</source>
+            <translation>limites por software</translation>
         </message>
         <message>
             <source>soft limits need homing</source>
@@ -19592,6 +19936,10 @@
         <message>
             <source>starts the spindle at {spindle_rpm:g} rpm, {sense}</source>
             <translation>liga o fuso a {spindle_rpm:g} rpm, {sense}</translation>
+        </message>
+        <message>
+            <source>step pulse</source>
+            <translation>pulso de passo</translation>
         </message>
         <message>
             <source>stepover_mm (ae)</source>
@@ -20310,6 +20658,10 @@
             <translation>o controlador recusou a linha</translation>
         </message>
         <message>
+            <source>the controller refused {line}: {answer}</source>
+            <translation>o controlador recusou {line}: {answer}</translation>
+        </message>
+        <message>
             <source>the controller refused {line}: {meaning} (error:{error})</source>
             <translation>o controlador recusou {line}: {meaning} (error:{error})</translation>
         </message>
@@ -20348,6 +20700,10 @@
         <message>
             <source>the controller stopped by a critical fault</source>
             <translation>o controlador parou por uma falha crítica</translation>
+        </message>
+        <message>
+            <source>the controller took the settings, but holds others when they are read back</source>
+            <translation>o controlador aceitou os ajustes, mas guarda outros quando são relidos</translation>
         </message>
         <message>
             <source>the controller waits for its new tool</source>
@@ -20832,6 +21188,10 @@
         <message>
             <source>the file holds no object</source>
             <translation>o arquivo não contém um objeto</translation>
+        </message>
+        <message>
+            <source>the file holds no settings of a controller</source>
+            <translation>o arquivo não tem ajustes de um controlador</translation>
         </message>
         <message>
             <source>the file is empty</source>
@@ -21428,6 +21788,10 @@
         <message>
             <source>the machine has no {name} coolant</source>
             <translation>a máquina não tem refrigeração {name}</translation>
+        </message>
+        <message>
+            <source>the machine has not the axes X and Y, or X and Z</source>
+            <translation>a máquina não tem os eixos X e Y, ou X e Z</translation>
         </message>
         <message>
             <source>the machine has one spindle, number 0</source>
@@ -23126,8 +23490,16 @@
             <translation>isto não é uma entrada de máquina: {error}</translation>
         </message>
         <message>
+            <source>this is no machine file of FreeCAD: it has no axes</source>
+            <translation>isto não é um arquivo de máquina do FreeCAD: não tem eixos</translation>
+        </message>
+        <message>
             <source>this is no pulse letter</source>
             <translation>isto não é uma letra de pulso</translation>
+        </message>
+        <message>
+            <source>this is no setting: {line}</source>
+            <translation>isto não é um ajuste: {line}</translation>
         </message>
         <message>
             <source>this is no word that can be edited</source>
@@ -23930,8 +24302,16 @@
             <translation>acorde-a com um reset e referencie-a</translation>
         </message>
         <message>
+            <source>way back from a limit switch</source>
+            <translation>recuo a partir do fim de curso</translation>
+        </message>
+        <message>
             <source>way out</source>
             <translation>caminho de saída</translation>
+        </message>
+        <message>
+            <source>what a status report holds</source>
+            <translation>conteúdo do relatório de estado</translation>
         </message>
         <message>
             <source>what lies inside an outline is faced with it</source>
@@ -24276,6 +24656,10 @@
         <message>
             <source>write each program so that it can run on its own</source>
             <translation>escreva cada programa de modo que funcione sozinho</translation>
+        </message>
+        <message>
+            <source>write each setting as $number=value, as $$ prints it</source>
+            <translation>escreva cada ajuste como $número=valor, como $$ o mostra</translation>
         </message>
         <message>
             <source>write each turn</source>
@@ -24666,6 +25050,14 @@
             <translation>a {away_mm:.3f} mm de distância</translation>
         </message>
         <message>
+            <source>{axis}: highest speed</source>
+            <translation>{axis}: velocidade máxima</translation>
+        </message>
+        <message>
+            <source>{axis}: steps per mm</source>
+            <translation>{axis}: passos por mm</translation>
+        </message>
+        <message>
             <source>{beyond_mm:.3f} mm beyond</source>
             <translation>{beyond_mm:.3f} mm além</translation>
         </message>
@@ -24696,6 +25088,10 @@
         <message>
             <source>{code} needs a {letter} word</source>
             <translation>{code} precisa de uma palavra {letter}</translation>
+        </message>
+        <message>
+            <source>{controller} has no settings of its own: the profile has them</source>
+            <translation>{controller} não tem ajustes próprios: o perfil os tem</translation>
         </message>
         <message>
             <source>{counts} at one place</source>
@@ -24832,6 +25228,10 @@
         <message>
             <source>{doing} takes more memory than there is</source>
             <translation>{doing} precisa de mais memória do que há</translation>
+        </message>
+        <message>
+            <source>{done} of {count} settings written</source>
+            <translation>{done} de {count} ajustes gravados</translation>
         </message>
         <message>
             <source>{doubles} boundaries of hatches are drawn as lines too; they are read once</source>
@@ -25374,6 +25774,14 @@
             <translation>{name} funciona no plano ZX</translation>
         </message>
         <message>
+            <source>{name}, version {version}</source>
+            <translation>{name}, versão {version}</translation>
+        </message>
+        <message>
+            <source>{name}, version {version}, on {board}</source>
+            <translation>{name}, versão {version}, em {board}</translation>
+        </message>
+        <message>
             <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
             <translation>{number:.0f} pulsos/s, o pior com {worst_us:.0f} µs de atraso</translation>
         </message>
@@ -25691,6 +26099,17 @@
         <message>
             <source>Places programs on the work surface with the mouse, and makes one program of them</source>
             <translation>Coloca programas na superfície de trabalho com o mouse e faz deles um só programa</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Assistant</name>
+        <message>
+            <source>Machine assistant…</source>
+            <translation>Assistente de máquina…</translation>
+        </message>
+        <message>
+            <source>Sets a machine up: port, values, measured axes, settings, and a profile of its own</source>
+            <translation>Configura uma máquina: porta, valores, eixos medidos, ajustes e um perfil próprio</translation>
         </message>
     </context>
     <context>

@@ -71,8 +71,8 @@ def test_the_card_comes_until_it_is_closed_and_by_the_menu(hand: Hand) -> None:
     hand.menu("CNCStepper", "First steps")
     hand.wait(lambda: hand.exists(CARD))
     hand.click(f"{CARD}_machine")
-    hand.wait(lambda: hand.exists("CNCStepper_Machines"), 20, "the machines")
-    hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDialog, "CNCStepper_Machines").close())
+    hand.wait(lambda: hand.exists("CNCStepper_Assistant"), 20, "the assistant")
+    hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDialog, "CNCStepper_Assistant").close())
 
 
 @pytest.mark.parametrize("number", [0, len(EXAMPLES) - 1])

@@ -1,19 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""`cncstepper machine`: profiles listed, made, shown, and changed key by key."""
+"""`cncstepper machine`: profiles listed, made, shown, changed key by key, read from and written for FreeCAD."""
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
 
+from CNCStepper.cli.common.path_types import InputPath, OutputPath
 from CNCStepper.cli.common.verb import Verbs
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.machine.files.fcm_files import read_fcm, write_fcm
 from CNCStepper.machine.own_profiles import (
     Written,
     change,
     create,
+    profile_content,
     profile_text,
     profiles,
     read_change,
+    save,
     values_of,
 )
 from CNCStepper.machine.profile import load_machine
@@ -77,6 +83,29 @@ def set_(name: str, changes: tuple[str, ...]) -> None:
     """
     written = change(name, dict(map(read_change, changes)))
     say_written(written)
+
+
+@command.command("import")
+@click.argument("file", type=InputPath())
+@click.argument("name")
+@click.option("--from", "source", default="table-a", show_default=True, help="The profile that has all other values.")
+def import_(file: Path, name: str, source: str) -> None:
+    """Make your profile NAME from FILE, a machine file of FreeCAD's (.fcm).
+
+    It has names, travel, speeds and the tool head; steps per mm, accelerations and homing come from --from.
+    """
+    content = read_fcm(file, profile_content(source))
+    create(name, source)
+    say_written(save(name, content))
+
+
+@command.command("export")
+@click.argument("name")
+@click.option("-o", "--out", required=True, type=OutputPath(""), help="The file that is written.")
+def export(name: str, out: Path) -> None:
+    """Write a profile to the file --out, a machine file for FreeCAD (.fcm)."""
+    write_fcm(out, load_machine(name))
+    click.echo(f"{out}: {name} for FreeCAD")
 
 
 def say_written(written: Written) -> None:

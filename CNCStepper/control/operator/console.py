@@ -143,7 +143,7 @@ class Console:
         if isinstance(report, Status) and self.active:
             self._see(report)
         elif isinstance(report, Setting):
-            self._tell("console", f"${report.number}={report.value:g}")
+            self._tell("console", f"${report.number}={report.value:.10g}")
         elif isinstance(report, NamedSetting):
             self._tell("console", f"${report.name}={report.text}")
         elif isinstance(report, Feedback) and report.tag != "MSG":

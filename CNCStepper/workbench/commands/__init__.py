@@ -25,7 +25,7 @@ def register() -> tuple[list[str], list[str], list[str]]:
     from CNCStepper.workbench.commands.help import Help
     from CNCStepper.workbench.commands.job import ImportTools, NewJob
     from CNCStepper.workbench.commands.job_files import ExportJob, OpenJob
-    from CNCStepper.workbench.commands.machines import Letters, Machines
+    from CNCStepper.workbench.commands.machines import Assistant, Letters, Machines
     from CNCStepper.workbench.commands.packages import Install
     from CNCStepper.workbench.commands.program import Arrange, Controller, EditProgram, OpenProgram, Send, Simulate
     from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING
@@ -35,7 +35,8 @@ def register() -> tuple[list[str], list[str], list[str]]:
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
     sheets = _made(operations.SHEETS)
     machine = (EditProgram(), OpenProgram(), Arrange(), Simulate(), Send(), Controller(), Machines(), Letters())
-    order, files, setting_up = _made(ORDERING), (OpenJob(), ExportJob()), (FirstSteps(), Install(), Help())
+    order, files = _made(ORDERING), (OpenJob(), ExportJob())
+    setting_up = (FirstSteps(), Assistant(), Install(), Help())
     turning = _made(TURNING)
     for command in (*drawing, *areas, *lines_and_holes, *sheets, *turning, *order, *machine, *files, *setting_up):
         FreeCADGui.addCommand(command.name, command)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of machines: their profiles, and pulse letters."""
+"""The commands of machines: the assistant, their profiles, and pulse letters."""
 
 from __future__ import annotations
 
@@ -24,6 +24,26 @@ class Machines(Command):
         from CNCStepper.workbench.machines import open_machines
 
         open_machines()
+
+
+class Assistant(Command):
+    """Opens the machine assistant."""
+
+    name = "CNCStepper_Assistant"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Assistant", "Machine assistant…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Assistant", "Sets a machine up: port, values, measured axes, settings, and a profile of its own"
+    )
+
+    def why_not(self) -> str:
+        """Return why no profile can be read."""
+        return missing_packages.why_not()
+
+    def run(self) -> None:
+        """Open the assistant."""
+        from CNCStepper.workbench.assistant import open_assistant
+
+        open_assistant()
 
 
 class Letters(Command):

@@ -85,6 +85,7 @@ class Panel(KeyboardArea):
         self._before = self.link.moment
         self.home = widgets.button("Home", tr("Home"), lambda: self.link.command("home"), icon="Home")
         self.unlock = widgets.button("Unlock", tr("Unlock"), lambda: self.link.command("unlock"), icon="Unlock")
+        self.setting_up = widgets.button("SetUp", tr("Set up a machine…"), _open_assistant)
         self.console = ConsoleView(lambda line: self.link.command("type", line))
         for part, page in (
             (self.connection, "sending/link.md"),
@@ -227,7 +228,7 @@ class Panel(KeyboardArea):
             [widgets.caption(tr("Overrides")), self.overrides],
             [widgets.caption(tr("Relays")), self.relays],
             [widgets.row(widgets.caption(tr("Messages")), self.sounds), self.log],
-            [widgets.caption(tr("Console")), self.console],
+            [widgets.caption(tr("Console")), self.console, self.setting_up],
         )
         for number, section in enumerate(sections):
             if number:
@@ -247,6 +248,10 @@ class Panel(KeyboardArea):
         whole = widgets.column(self)
         whole.addLayout(head)
         whole.addWidget(self.area, 1)
+
+
+def _open_assistant() -> None:
+    FreeCADGui.runCommand("CNCStepper_Assistant")
 
 
 def overrides_of(status: Any) -> dict[str, Any]:

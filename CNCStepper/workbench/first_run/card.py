@@ -48,11 +48,11 @@ class Card(QtGui.QDialog):
         begin_tour()
 
     def set_up(self) -> None:
-        """Open the machines."""
-        from CNCStepper.workbench.machines import open_machines
+        """Open the machine assistant."""
+        from CNCStepper.workbench.assistant import open_assistant
 
         self.accept()
-        open_machines()
+        open_assistant()
 
     def open(self, example: Example) -> None:
         """Open an example as a document."""
@@ -66,8 +66,8 @@ class Card(QtGui.QDialog):
         return button
 
     def _set_up(self) -> Any:
-        about = tr("Choose the profile that is nearest to your machine, and enter its travel and speeds.")
-        button = self._way("machine", "CNCStepper_Machines", tr("Set up my machine"), about)
+        about = tr("Find its port, begin from a machine like yours, measure its axes and save it.")
+        button = self._way("machine", "CNCStepper_Assistant", tr("Set up my machine"), about)
         button.clicked.connect(guarded(self.set_up))
         return button
 

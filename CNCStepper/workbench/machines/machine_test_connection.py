@@ -27,13 +27,17 @@ Done = Callable[[str], None]
 
 
 class Bench(QtCore.QObject):
-    """`changed` is sent after every report; `trouble` is the machine's last refusal, or ""."""
+    """`changed` is sent after every report; `trouble` is the machine's last refusal, or "".
+
+    answered: the lines of this run that were answered with `ok`, each with what the controller said to it.
+    """
 
     changed = QtCore.Signal()
 
     def __init__(self, parent: Any):
         super().__init__(parent)
         self.trouble = ""
+        self.answered: list[tuple[str, list[str]]] = []
         self._client: ConnectionClient | None = None
         self._lines: list[str] = []
         self._words: list[str] = []
@@ -53,14 +57,17 @@ class Bench(QtCore.QObject):
         """Whether lines are under way."""
         return bool(self._lines)
 
-    def why_not(self) -> str:
-        """Return why no test can begin now, "" when one can; in English, for `tr`."""
+    def why_not(self, locked: bool = False) -> str:
+        """Return why no test can begin now, "" when one can; in English, for `tr`.
+
+        locked: a machine that is locked by an alarm will do, since it is only asked, or a setting is written.
+        """
         status = self.status
         if status is None:
             return NOT_CONNECTED
         if self._lines:
             return BUSY
-        return "" if status.phase == "idle" else NOT_IDLE
+        return "" if status.phase == "idle" or (locked and status.phase == "alarm") else NOT_IDLE
 
     def watch(self, on: bool) -> None:
         """Follow the machine while the test is seen; else let it go."""
@@ -70,14 +77,14 @@ class Bench(QtCore.QObject):
             self._timer.stop()
             self._let_go()
 
-    def run(self, lines: Sequence[str], done: Done | None = None) -> None:
+    def run(self, lines: Sequence[str], done: Done | None = None, locked: bool = False) -> None:
         """Send lines, each when the machine stands; `done` gets the words of the last answer's question, if any.
 
-        After a refusal nothing more is sent, and `done` is not called.
+        After a refusal nothing more is sent, and `done` is not called. locked: as in `why_not`.
         """
-        if self.why_not() or not lines:
+        if self.why_not(locked) or not lines:
             return
-        self.trouble, self._lines, self._done = "", list(lines), done
+        self.trouble, self._lines, self._done, self.answered = "", list(lines), done, []
         self._send()
 
     def stop(self) -> None:
@@ -112,7 +119,7 @@ class Bench(QtCore.QObject):
         elif event["event"] == "answer" and event["text"] != "ok":
             self._end(translated(event["text"]))
         elif event["event"] == "answer":
-            self._lines.pop(0)
+            self.answered.append((self._lines.pop(0), self._words))
             self._send()
 
     def _send(self) -> None:

@@ -43,22 +43,24 @@ MOST_OF_AN_ANSWER = 10_000  # to a `$` command, which may list all settings
 
 
 class FloodLimit:
-    """Counts unsolicited lines; clock: in s."""
+    """Counts lines: those of answers to `$` commands, and, apart from these, unsolicited ones; clock: in s."""
 
     def __init__(self, clock: Callable[[], float]):
         self._clock = clock
-        self._lines = 0.0  # less what was due since
+        self._lines = {True: 0.0, False: 0.0}  # whether asked for; less what was due since
         self._counted_s = clock()
 
     def check(self, lines: int, is_asked: bool, name: str) -> None:
         """Count lines; raises LinkError where they are too many. is_asked: a `$` command is under way."""
         now_s = self._clock()
-        self._lines = max(0.0, self._lines - LINES_PER_S * (now_s - self._counted_s)) + lines
+        due = LINES_PER_S * (now_s - self._counted_s)
+        self._lines = {asked: max(0.0, counted - due) for asked, counted in self._lines.items()}
+        self._lines[is_asked] += lines
         self._counted_s = now_s
         most = MOST_OF_AN_ANSWER if is_asked else MOST_LINES
-        if self._lines <= most:
+        if self._lines[is_asked] <= most:
             return
-        self._lines = 0.0
+        self._lines[is_asked] = 0.0
         raise LinkError(
             "link-flood",
             Text("{name} sends more than was asked for", name=name),
@@ -199,10 +201,10 @@ class Grbl:
 
         Raises LinkError for a broken link, an answer without a line, or a flood of text.
         """
-        questions = self._questions
+        questions, is_asked = self._questions, self._is_asked
         received = [self._taken(report) for report in map(status_reports.parse, self._lines(self._read(wait_s)))]
         self._listen(received)
-        self._check_flood(received, questions - self._questions)
+        self._check_flood(received, questions - self._questions, is_asked)
         return received
 
     def damaged_s(self) -> float:
@@ -302,14 +304,21 @@ class Grbl:
             self._damaged_s = self.clock()
         return report
 
-    def _check_flood(self, received: list[Received], asked: int) -> None:
-        """Raise LinkError where much more comes than the answers to lines and questions."""
+    @property
+    def _is_asked(self) -> bool:
+        """Whether a `$` command is under way, whose answer may be long."""
+        return bool(self.unanswered) and self.unanswered[0].text.startswith("$")
+
+    def _check_flood(self, received: list[Received], asked: int, is_asked: bool) -> None:
+        """Raise LinkError where much more comes than the answers to lines and questions.
+
+        is_asked: a `$` command was under way before these came; its answer may have come with its end.
+        """
         echoes = min(self._echoes, sum(isinstance(report, Feedback) and report.tag == "echo" for report in received))
         self._echoes -= echoes
         unasked = len(received) - asked - echoes - sum(isinstance(report, Answered) for report in received)
         if unasked > 0 and not self.is_stopping:
-            is_asked = bool(self.unanswered) and self.unanswered[0].text.startswith("$")
-            self._flood.check(unasked, is_asked, self.link.name)
+            self._flood.check(unasked, is_asked or self._is_asked, self.link.name)
 
     def _take_feedback(self, report: Feedback) -> None:
         if firmware := firmware_of_tag(report.tag, report.text):
