@@ -72,7 +72,7 @@ CHANGES = {
     "turn_finish": {"feed_mm_rev": 0.15},
     "turn_groove": {"width_mm": 4.0},
     "turn_part": {"peck_mm": 2.0},
-    "turn_drill": {"depth_mm": 12.0},
+    "turn_drill": {"depth_mm": 22.0},
     "turn_bore": {"stock_to_leave_mm": 0.2},
     "turn_thread": {"spring_passes": 3},
 }

@@ -141,7 +141,7 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
     texts = hand.main(shown_texts)
     menu = [*LABELS.values()]
     menu[menu.index("Edit program") : menu.index("Edit program")] = ["Duplicate", "Move up", "Move down"]
-    setting_up = ["First steps…", "Install packages…", "Help"]
+    setting_up = ["First steps…", "Machine assistant…", "Install packages…", "Help"]
     assert texts == [list(LABELS.values()), [*menu, "Open job…", "Export job…", *setting_up, "Lathe"]]
     assert hand.main(lambda: all(not action(name).icon().isNull() for name in LABELS))
     hand.menu("CNCStepper")

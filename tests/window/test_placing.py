@@ -200,6 +200,39 @@ def test_programs_are_arranged_by_the_mouse(hand: Hand, language: str, tmp_path:
     assert text.count("(begin operation") == 2 and "90 deg" in text
 
 
+def test_a_file_is_added_turned_with_shift_and_taken_away(hand: Hand, tmp_path: Path) -> None:
+    document = hand.main(new_document)
+    files = [tmp_path / "a.nc", tmp_path / "peça b.nc"]
+    for file in files:
+        file.write_text(SQUARE, encoding="utf-8")
+    job = hand.main(api.new_job, document)
+    program = hand.main(api.load_program, job, files[0])
+    hand.main(lambda: (document.recompute(), select(program)))
+    hand.command("CNCStepper_Arrangement")
+    hand.wait(lambda: hand.exists("CNCStepper_Panel_count_0"), 10)
+    hand.click("CNCStepper_Panel_add_file")
+    hand.wait(lambda: hand.exists("fileNameEdit"), 10, "the file's dialog")
+    hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(files[1])))
+    hand.click("fileNameEdit")
+    hand.key("Return")
+    hand.wait(lambda: hand.exists("CNCStepper_Panel_count_1"), 10, "the row of the file")
+    hand.fill("CNCStepper_Panel_file", str(tmp_path / "tudo.nc"))
+    hand.click("CNCStepper_Panel_place")
+    hand.wait(lambda: [each for each in [panel_or_none()] if each and len(each.rows()) == 2], 60, "the copies")
+    panel = hand.main(panel_of)
+    hand.settle()
+    drag_part(hand, hand.main(lambda: panel.nest.polygon(1).centroid.coords[0]), (90, 60))
+    x, y = hand.main(lambda: panel.nest.polygon(1).centroid.coords[0])
+    drag_part(hand, (x + 6, y), (x, y + 6), modifiers=("Shift",))
+    assert hand.main(placed, panel)[1][4] == pytest.approx(90.0, abs=5.0)
+    hand.shot("arrangement-turned-with-shift")
+    hand.key("Delete")
+    hand.wait(lambda: len(panel.rows()) == 1, 10, "the copy to be taken away")
+    hand.button("Cancel")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 60)
+    assert hand.main(of_type, document, "CNCStepper_Arrangement") is None
+
+
 def panel_or_none() -> Any:
     try:
         return panel_of()
