@@ -80,7 +80,7 @@ def test_an_example_is_two_clicks(hand: Hand, number: int) -> None:
     example = EXAMPLES[number]
     hand.main(first_run.open_card)
     hand.wait(lambda: hand.exists(f"{CARD}_example"))
-    hand._click_place(hand.main(lambda: places.of_widget(places.find(f"{CARD}_example"), None)))
+    hand._click_place(hand._place(places.of_widget, f"{CARD}_example", None))
     hand.wait(lambda: places.popup_entry(example.title))
     hand.shot("first-steps-examples")
     hand._click_place(hand.main(places.popup_entry, example.title))

@@ -81,7 +81,7 @@ def open_dialog(hand: Hand, target: Path) -> Iterator[Callable[[], Any]]:
 
 def choose(hand: Hand, entry: str, path: Path) -> None:
     """Choose a zip or a folder by the button, as a person does who types its path."""
-    hand._click_place(hand.main(lambda: places.of_widget(places.find(f"{I}_files"), None)))
+    hand._click_place(hand._place(places.of_widget, f"{I}_files", None))
     hand.wait(lambda: places.popup_entry(entry))
     hand._click_place(hand.main(places.popup_entry, entry))
     hand.wait(lambda: hand.exists(f"{I}_file"), 10, "the question which file")
