@@ -43,6 +43,14 @@ Target = Any  # an objectName or a widget
 Point = tuple[float, float]
 
 
+def _is_shown(widget: Any) -> bool:
+    """Return whether a widget is there and shown: what is chosen in a list may make its form anew."""
+    try:
+        return bool(widget.isVisible())
+    except RuntimeError:  # Qt has deleted it
+        return False
+
+
 class Hand:
     """See the module; every method is called in pytest's thread."""
 
@@ -287,7 +295,7 @@ class Hand:
         entries = self.main(places.combo_list, combo)
         self._open(combo, entries)
         until_s = time.monotonic() + APPEARS_S
-        while self.main(lambda: entries.isVisible()):
+        while self.main(_is_shown, entries):
             assert time.monotonic() < until_s, f"the list of {combo} does not see clicks at {text!r}; {self.describe()}"
             self.item(entries, text)
 
@@ -297,7 +305,7 @@ class Hand:
             self.click(combo)
             until_s = time.monotonic() + LIST_S
             while time.monotonic() < until_s:
-                if self.main(lambda: entries.isVisible()):
+                if self.main(_is_shown, entries):
                     return
                 time.sleep(REST_S)
             print(f"{combo} did not see the click", flush=True)
