@@ -36,6 +36,7 @@ CORE_ROOMS = (
     "geometry",
     "drawing",
     "cycles",
+    "nesting",
     "machine",
     "job",
     "recovery",

@@ -11,6 +11,7 @@ import shapely
 from shapely import Polygon
 
 from CNCStepper.errors import JobError, Text
+from CNCStepper.nesting.judge import sheet_faults
 from CNCStepper.nesting.nesting_model import (
     MOST_PARTS,
     Item,
@@ -65,7 +66,10 @@ def require_count(name: str, count: object) -> int:
 
 
 def require_order(items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spacing) -> None:
-    """Raise JobError for an order without parts or sheets, of too many parts, or with one that fits on no sheet."""
+    """Raise JobError for an order without parts or sheets, of too many parts, or with one that fits on no sheet.
+
+    A locked part that cannot stay where it is is refused too.
+    """
     if not items or not sheets:
         raise JobError("nest-empty", "an order needs a part and a sheet", advice="add them")
     for what, value in (("the gap", spacing.gap_mm), ("the margin", spacing.margin_mm)):
@@ -79,6 +83,7 @@ def require_order(items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spaci
     for item in items:
         _require_locked(item, sheets)
         _require_room(item, sheets, spacing)
+    _require_locked_places(items, sheets, spacing)
 
 
 def _require_locked(item: Item, sheets: Sequence[Sheet]) -> None:
@@ -86,6 +91,16 @@ def _require_locked(item: Item, sheets: Sequence[Sheet]) -> None:
         if not 0 <= placement.sheet < len(sheets):
             what = Text("a locked part of {name} lies on a sheet that is not there", name=item.name)
             raise _refusal("nest-locked", what, f"sheet {placement.sheet}", "sheets count from 0")
+
+
+def _require_locked_places(items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spacing) -> None:
+    """Raise JobError where a locked part lies beyond its sheet or on another one: nothing moves it from there."""
+    locked = [placement for item in items for placement in item.locked]
+    for number in sorted({placement.sheet for placement in locked}):
+        own = [placement for placement in locked if placement.sheet == number]
+        if fault := next(sheet_faults(items, sheets[number], spacing, own), None):
+            what = Text("a locked part cannot stay where it is: {fault}", fault=fault)
+            raise JobError("nest-locked-place", what, advice="unlock it, or move it")
 
 
 def _require_room(item: Item, sheets: Sequence[Sheet], spacing: Spacing) -> None:

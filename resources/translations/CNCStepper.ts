@@ -13786,6 +13786,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a corner of {name} lies nowhere</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a corner radius of {radius:g} mm is too large for a side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14054,6 +14058,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a locked part cannot stay where it is: {fault}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a locked part of {name} lies on a sheet that is not there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a machine is cutting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14147,6 +14159,18 @@
         </message>
         <message>
             <source>a parameter could not be set</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a part has no area</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a part has too many corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a part has {count} outlines in place of one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14626,6 +14650,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14787,6 +14815,10 @@
         </message>
         <message>
             <source>an order names an item that is not there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an order needs a part and a sheet</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15458,6 +15490,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15718,7 +15754,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct its corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct its spelling or take it out; known {table}are: {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct rotations_deg or grain_deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16023,6 +16067,10 @@
         </message>
         <message>
             <source>draw holes as circles, or give points</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw it anew</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16446,6 +16494,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a closed outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a device name or socket://host:port</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16515,6 +16567,10 @@
         </message>
         <message>
             <source>give each outline a drawing or a layer of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give each piece as a part of its own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17411,6 +17467,10 @@
         </message>
         <message>
             <source>keep half a kerf beside the part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>keep within {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18954,6 +19014,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>part '{name}' is turned by {angle:g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>part '{name}' lies beyond the sheet '{sheet}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>part '{name}' lies on a sheet of other stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>part '{name}' lies there {count} times</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>part '{name}': {what}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18971,6 +19047,10 @@
         </message>
         <message>
             <source>parting off takes a blade for the outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parts '{one}' and '{other}' are too close</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19770,6 +19850,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>sheets count from 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>short slice</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19791,6 +19875,10 @@
         </message>
         <message>
             <source>simplify it, or divide it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>simplify it, or use a larger tolerance</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20127,6 +20215,10 @@
         </message>
         <message>
             <source>take it out or add its code</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take it out, allow other rotations, or add a larger sheet</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20758,6 +20850,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the count of {name} is no whole number within its bounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the crest of the thread lies below its floor</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21330,6 +21426,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the gap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the grain allows none of the rotations of {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21886,6 +21990,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the measured length is far from the commanded one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21982,6 +22090,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the order has too many parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the order is no CSV: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21995,6 +22107,18 @@
         </message>
         <message>
             <source>the outer diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the outline of {name} crosses itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the outline of {name} has no area</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the outline of {name} needs three corners or more, each of two numbers</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22043,6 +22167,10 @@
         </message>
         <message>
             <source>the part has no bore that opens at its front end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the part is locked</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22687,6 +22815,14 @@
         </message>
         <message>
             <source>the shape '{name}' needs one of {ways}; {told}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the sheets are full</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the sheets were full, or the search ended before it had its turn</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23378,6 +23514,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no sheet of the stock '{stock}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no sheet of the stock of {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no single-line font '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23922,11 +24066,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>unlock it before you move it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>unlock it in the settings, or use another work system</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>unlock it with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>unlock it, or move it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24606,6 +24758,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a number within these bounds: {why}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24695,6 +24851,10 @@
         </message>
         <message>
             <source>write how many parts are wanted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write it as [[x, y], [x, y], [x, y]]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25674,6 +25834,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is larger than every sheet of its stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} is no object</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26035,6 +26203,10 @@
         </message>
         <message>
             <source>{what} cannot be sent to a controller of this computer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{what} is out of bounds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -13786,6 +13786,10 @@
             <translation>um canto do perfil é pequeno demais para o seu arredondamento ou chanfro</translation>
         </message>
         <message>
+            <source>a corner of {name} lies nowhere</source>
+            <translation>um canto de {name} não está em lugar nenhum</translation>
+        </message>
+        <message>
             <source>a corner radius of {radius:g} mm is too large for a side</source>
             <translation>um raio de canto de {radius:g} mm é grande demais para um lado</translation>
         </message>
@@ -14054,6 +14058,14 @@
             <translation>uma lista de glifos é mais longa que a sua tabela</translation>
         </message>
         <message>
+            <source>a locked part cannot stay where it is: {fault}</source>
+            <translation>uma peça travada não pode ficar onde está: {fault}</translation>
+        </message>
+        <message>
+            <source>a locked part of {name} lies on a sheet that is not there</source>
+            <translation>uma peça travada de {name} está em uma chapa que não existe</translation>
+        </message>
+        <message>
             <source>a machine is cutting</source>
             <translation>uma máquina está cortando</translation>
         </message>
@@ -14148,6 +14160,18 @@
         <message>
             <source>a parameter could not be set</source>
             <translation>um parâmetro não pôde ser definido</translation>
+        </message>
+        <message>
+            <source>a part has no area</source>
+            <translation>uma peça não tem área</translation>
+        </message>
+        <message>
+            <source>a part has too many corners</source>
+            <translation>uma peça tem cantos demais</translation>
+        </message>
+        <message>
+            <source>a part has {count} outlines in place of one</source>
+            <translation>uma peça tem {count} contornos em vez de um</translation>
         </message>
         <message>
             <source>a part must have a length</source>
@@ -14626,6 +14650,10 @@
             <translation>adicione trabalhos, programas ou arquivos</translation>
         </message>
         <message>
+            <source>add one</source>
+            <translation>acrescente uma</translation>
+        </message>
+        <message>
             <source>add one before the first cut</source>
             <translation>acrescente uma antes do primeiro corte</translation>
         </message>
@@ -14788,6 +14816,10 @@
         <message>
             <source>an order names an item that is not there</source>
             <translation>uma ordem nomeia um item que não existe</translation>
+        </message>
+        <message>
+            <source>an order needs a part and a sheet</source>
+            <translation>um pedido precisa de uma peça e de uma chapa</translation>
         </message>
         <message>
             <source>an outline or island is open</source>
@@ -15458,6 +15490,10 @@
             <translation>escolha outro</translation>
         </message>
         <message>
+            <source>choose another place</source>
+            <translation>escolha outro lugar</translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation>escolha outro processo no trabalho, ou apague a operação</translation>
         </message>
@@ -15718,8 +15754,16 @@
             <translation>corrija a configuração dele e reinicie-o</translation>
         </message>
         <message>
+            <source>correct its corners</source>
+            <translation>corrija os cantos</translation>
+        </message>
+        <message>
             <source>correct its spelling or take it out; known {table}are: {known}</source>
             <translation>corrija a grafia ou retire; as conhecidas {table}são: {known}</translation>
+        </message>
+        <message>
+            <source>correct rotations_deg or grain_deg</source>
+            <translation>corrija rotations_deg ou grain_deg</translation>
         </message>
         <message>
             <source>correct that</source>
@@ -16024,6 +16068,10 @@
         <message>
             <source>draw holes as circles, or give points</source>
             <translation>desenhe os furos como círculos ou dê pontos</translation>
+        </message>
+        <message>
+            <source>draw it anew</source>
+            <translation>desenhe de novo</translation>
         </message>
         <message>
             <source>draw it in a [[shape]] table</source>
@@ -16446,6 +16494,10 @@
             <translation>dê um arquivo TOML ou um destes: {profile_names}</translation>
         </message>
         <message>
+            <source>give a closed outline</source>
+            <translation>dê um contorno fechado</translation>
+        </message>
+        <message>
             <source>give a device name or socket://host:port</source>
             <translation>dê um nome de dispositivo ou socket://host:porta</translation>
         </message>
@@ -16516,6 +16568,10 @@
         <message>
             <source>give each outline a drawing or a layer of its own</source>
             <translation>dê a cada contorno um desenho ou uma camada própria</translation>
+        </message>
+        <message>
+            <source>give each piece as a part of its own</source>
+            <translation>dê cada pedaço como uma peça própria</translation>
         </message>
         <message>
             <source>give each row its own number</source>
@@ -17412,6 +17468,10 @@
         <message>
             <source>keep half a kerf beside the part</source>
             <translation>fique meia largura de corte ao lado da peça</translation>
+        </message>
+        <message>
+            <source>keep within {0} mm</source>
+            <translation>fique dentro de {0} mm</translation>
         </message>
         <message>
             <source>kept only if the controller stayed powered and was not reset in motion; a greeting, an alarm or a wrong position shows that it was: then {home}; {until_homed}</source>
@@ -18954,6 +19014,22 @@
             <translation>aqui parênteses não são comentário</translation>
         </message>
         <message>
+            <source>part '{name}' is turned by {angle:g} deg</source>
+            <translation>a peça '{name}' está girada em {angle:g} graus</translation>
+        </message>
+        <message>
+            <source>part '{name}' lies beyond the sheet '{sheet}'</source>
+            <translation>a peça '{name}' passa da chapa '{sheet}'</translation>
+        </message>
+        <message>
+            <source>part '{name}' lies on a sheet of other stock</source>
+            <translation>a peça '{name}' está em uma chapa de outro material</translation>
+        </message>
+        <message>
+            <source>part '{name}' lies there {count} times</source>
+            <translation>a peça '{name}' aparece {count} vezes</translation>
+        </message>
+        <message>
             <source>part '{name}': {what}</source>
             <translation>peça '{name}': {what}</translation>
         </message>
@@ -18972,6 +19048,10 @@
         <message>
             <source>parting off takes a blade for the outside</source>
             <translation>o sangramento usa um bedame externo</translation>
+        </message>
+        <message>
+            <source>parts '{one}' and '{other}' are too close</source>
+            <translation>as peças '{one}' e '{other}' estão perto demais</translation>
         </message>
         <message>
             <source>parts that share cuts have no gap between their cuts</source>
@@ -19770,6 +19850,10 @@
             <translation>sheet_cut não corta com {process}</translation>
         </message>
         <message>
+            <source>sheets count from 0</source>
+            <translation>as chapas contam a partir de 0</translation>
+        </message>
+        <message>
             <source>short slice</source>
             <translation>fatia curta</translation>
         </message>
@@ -19792,6 +19876,10 @@
         <message>
             <source>simplify it, or divide it</source>
             <translation>simplifique-o, ou divida-o</translation>
+        </message>
+        <message>
+            <source>simplify it, or use a larger tolerance</source>
+            <translation>simplifique-a ou use uma tolerância maior</translation>
         </message>
         <message>
             <source>simplify the solid, or end the script's loop</source>
@@ -20128,6 +20216,10 @@
         <message>
             <source>take it out or add its code</source>
             <translation>retire-a ou acrescente o seu código</translation>
+        </message>
+        <message>
+            <source>take it out, allow other rotations, or add a larger sheet</source>
+            <translation>retire-a, permita outras rotações ou acrescente uma chapa maior</translation>
         </message>
         <message>
             <source>take it out, or use one of: NAME, {keys}</source>
@@ -20758,6 +20850,10 @@
             <translation>o número de cópias está fora dos limites</translation>
         </message>
         <message>
+            <source>the count of {name} is no whole number within its bounds</source>
+            <translation>a quantidade de {name} não é um número inteiro dentro dos limites</translation>
+        </message>
+        <message>
             <source>the crest of the thread lies below its floor</source>
             <translation>a crista da rosca fica abaixo do seu fundo</translation>
         </message>
@@ -21330,6 +21426,14 @@
             <translation>não é possível ler os outros valores: {error}</translation>
         </message>
         <message>
+            <source>the gap</source>
+            <translation>a folga</translation>
+        </message>
+        <message>
+            <source>the grain allows none of the rotations of {name}</source>
+            <translation>o veio não permite nenhuma das rotações de {name}</translation>
+        </message>
+        <message>
             <source>the grid has too many holes</source>
             <translation>a grade tem furos demais</translation>
         </message>
@@ -21886,6 +21990,10 @@
             <translation>a posição da máquina é desconhecida: veja se o fuso e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the margin</source>
+            <translation>a margem</translation>
+        </message>
+        <message>
             <source>the measured length is far from the commanded one</source>
             <translation>o comprimento medido está longe do comandado</translation>
         </message>
@@ -21982,6 +22090,10 @@
             <translation>o pedido não tem linhas, ou tem demais</translation>
         </message>
         <message>
+            <source>the order has too many parts</source>
+            <translation>o pedido tem peças demais</translation>
+        </message>
+        <message>
             <source>the order is no CSV: {error}</source>
             <translation>o pedido não é CSV: {error}</translation>
         </message>
@@ -21996,6 +22108,18 @@
         <message>
             <source>the outer diameter</source>
             <translation>o diâmetro externo</translation>
+        </message>
+        <message>
+            <source>the outline of {name} crosses itself</source>
+            <translation>o contorno de {name} cruza a si mesmo</translation>
+        </message>
+        <message>
+            <source>the outline of {name} has no area</source>
+            <translation>o contorno de {name} não tem área</translation>
+        </message>
+        <message>
+            <source>the outline of {name} needs three corners or more, each of two numbers</source>
+            <translation>o contorno de {name} precisa de três cantos ou mais, cada um de dois números</translation>
         </message>
         <message>
             <source>the outlines are beside the stock</source>
@@ -22044,6 +22168,10 @@
         <message>
             <source>the part has no bore that opens at its front end</source>
             <translation>a peça não tem furo que se abra na face da frente</translation>
+        </message>
+        <message>
+            <source>the part is locked</source>
+            <translation>a peça está travada</translation>
         </message>
         <message>
             <source>the part may differ from it by as much: lower P, or follow the exact path with G61</source>
@@ -22688,6 +22816,14 @@
         <message>
             <source>the shape '{name}' needs one of {ways}; {told}</source>
             <translation>a forma '{name}' precisa de um de {ways}; {told}</translation>
+        </message>
+        <message>
+            <source>the sheets are full</source>
+            <translation>as chapas estão cheias</translation>
+        </message>
+        <message>
+            <source>the sheets were full, or the search ended before it had its turn</source>
+            <translation>as chapas estavam cheias, ou a busca terminou antes da vez dela</translation>
         </message>
         <message>
             <source>the shift of G92 went into the coordinates</source>
@@ -23378,6 +23514,14 @@
             <translation>não há retalho para a perfuração depois de uma ponte de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
+            <source>there is no sheet of the stock '{stock}'</source>
+            <translation>não há chapa do material '{stock}'</translation>
+        </message>
+        <message>
+            <source>there is no sheet of the stock of {name}</source>
+            <translation>não há chapa do material de {name}</translation>
+        </message>
+        <message>
             <source>there is no single-line font '{name}'</source>
             <translation>não há nenhuma fonte de linha única '{name}'</translation>
         </message>
@@ -23922,12 +24066,20 @@
             <translation>desbloqueie-a ($X); se ela continuar bloqueada, desconecte e conecte de novo; depois defina o zero</translation>
         </message>
         <message>
+            <source>unlock it before you move it</source>
+            <translation>destrave-a antes de mover</translation>
+        </message>
+        <message>
             <source>unlock it in the settings, or use another work system</source>
             <translation>destrave-o nas configurações, ou use outro sistema de coordenadas</translation>
         </message>
         <message>
             <source>unlock it with $X</source>
             <translation>destrave-o com $X</translation>
+        </message>
+        <message>
+            <source>unlock it, or move it</source>
+            <translation>destrave-a ou mova-a</translation>
         </message>
         <message>
             <source>until then nothing but homing, jogging and setting the zero is safe</source>
@@ -24606,6 +24758,10 @@
             <translation>escreva antes dele um movimento com G90 ou mova o zero-peça</translation>
         </message>
         <message>
+            <source>write a number</source>
+            <translation>escreva um número</translation>
+        </message>
+        <message>
             <source>write a number within these bounds: {why}</source>
             <translation>escreva um número dentro destes limites: {why}</translation>
         </message>
@@ -24696,6 +24852,10 @@
         <message>
             <source>write how many parts are wanted</source>
             <translation>escreva quantas peças são desejadas</translation>
+        </message>
+        <message>
+            <source>write it as [[x, y], [x, y], [x, y]]</source>
+            <translation>escreva como [[x, y], [x, y], [x, y]]</translation>
         </message>
         <message>
             <source>write it as two</source>
@@ -25674,6 +25834,14 @@
             <translation>{name} está em uso</translation>
         </message>
         <message>
+            <source>{name} is larger than every sheet of its stock</source>
+            <translation>{name} é maior que todas as chapas do seu material</translation>
+        </message>
+        <message>
+            <source>{name} is no number</source>
+            <translation>{name} não é um número</translation>
+        </message>
+        <message>
             <source>{name} is no object</source>
             <translation>{name} não é um objeto</translation>
         </message>
@@ -26036,6 +26204,10 @@
         <message>
             <source>{what} cannot be sent to a controller of this computer</source>
             <translation>{what} não pode ser enviado a um controlador deste computador</translation>
+        </message>
+        <message>
+            <source>{what} is out of bounds</source>
+            <translation>{what} está fora dos limites</translation>
         </message>
         <message>
             <source>{what} must be larger than {than}</source>

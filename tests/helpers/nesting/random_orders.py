@@ -39,7 +39,11 @@ def random_order(seed: int) -> RandomOrder:
         for stock in stocks
     ]
     if "locked" in traits:
-        items[0] = replace(items[0], locked=(_locked(items[0], sheets, spacing),))
+        place = _locked(items[0], sheets, spacing)
+        if _lies_within(items[0], place, sheets[place.sheet], spacing):
+            items[0] = replace(items[0], locked=(place,))
+        else:
+            traits.remove("locked")
     return RandomOrder(tuple(items), tuple(sheets), spacing, frozenset(traits))
 
 
@@ -84,3 +88,10 @@ def _locked(item: Item, sheets: list[Sheet], spacing: Spacing) -> Placement:
     left, low, _, _ = shapely.affinity.rotate(item.outline, 10.0, origin=(0, 0)).bounds
     rim = spacing.margin_mm + 0.5
     return Placement(number, 0, rim - left, rim - low, 10.0)
+
+
+def _lies_within(item: Item, place: Placement, sheet: Sheet, spacing: Spacing) -> bool:
+    """Return whether a part lies on a sheet, off its holes and no closer to its rim than the margin."""
+    turned = shapely.affinity.rotate(item.outline, place.rotation_deg, origin=(0, 0))
+    part = shapely.affinity.translate(turned, place.x_mm, place.y_mm)
+    return bool(sheet.outline.covers(part) and part.distance(sheet.outline.boundary) >= spacing.margin_mm)

@@ -13,7 +13,7 @@ import shapely
 
 from CNCStepper.errors import JobError
 from CNCStepper.nesting.nest import nest
-from CNCStepper.nesting.nesting_model import Budget, Item, Sheet, Spacing, placed
+from CNCStepper.nesting.nesting_model import Budget, Item, Placement, Sheet, Spacing, placed
 from CNCStepper.nesting.strips import StripPart, StripPlace, first_windows, fullest_window
 from helpers.cycles.seeds import SEEDS
 from helpers.nesting.layout_oracle import complaints
@@ -128,3 +128,17 @@ def test_an_order_that_cannot_be_met_is_refused_by_name(items: tuple[Item, ...],
     with pytest.raises(JobError) as refused:
         nest(items, (Sheet("plate", shapely.box(0, 0, 100, 50), grain_deg=0.0),), spacing, Budget(0.2))
     assert refused.value.code == code
+
+
+@pytest.mark.parametrize(
+    "places",
+    [
+        (Placement(0, 0, 90.0, 5.0, 0.0),),  # beyond the rim
+        (Placement(0, 0, 32.0, 20.0, 0.0),),  # over the sheet's hole
+        (Placement(0, 0, 5.0, 5.0, 0.0), Placement(0, 0, 10.0, 5.0, 0.0)),  # on each other
+    ],
+)
+def test_a_locked_part_that_cannot_stay_is_refused_before_the_search(places: tuple[Placement, ...]) -> None:
+    plate = shapely.box(0, 0, 100, 50).difference(shapely.box(30, 20, 40, 30))
+    with pytest.raises(JobError, match="a locked part cannot stay where it is: part"):
+        nest((item(shapely.box(0, 0, 20, 5), locked=places),), (Sheet("plate", plate),), Spacing(), Budget(60.0))
