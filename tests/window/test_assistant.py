@@ -63,13 +63,7 @@ def assistant(hand: Hand, request: pytest.FixtureRequest) -> Iterator[Any]:
 
 def cut_off() -> list[str]:
     """Return the texts of the page in front that are narrower than what stands on them."""
-    shown = [one for one in dialog().findChildren(QtGui.QLabel) if one.isVisible() and not one.wordWrap()]
-    shown += [one for one in dialog().findChildren(QtGui.QAbstractButton) if one.isVisible() and one.text()]
-    return [
-        f"{one.objectName()} {one.text()!r}: {one.width()} < {one.sizeHint().width()}"
-        for one in shown
-        if one.width() < one.sizeHint().width() - 1
-    ]
+    return places.narrower_than_their_text(dialog())
 
 
 def go_on(hand: Hand, number: int) -> None:

@@ -50,13 +50,7 @@ def show(hand: Hand, tab: int, field: str) -> None:
 
 def cut_off() -> list[str]:
     """Return the labels, buttons and lines of the tab in front that are narrower than what stands on them."""
-    shown = [one for one in dialog().findChildren(QtGui.QLabel) if one.isVisible() and not one.wordWrap()]
-    shown += [one for one in dialog().findChildren(QtGui.QAbstractButton) if one.isVisible() and one.text()]
-    return [
-        f"{one.objectName()} {one.text()!r}: {one.width()} < {one.sizeHint().width()}"
-        for one in shown
-        if one.width() < one.sizeHint().width() - 1
-    ]
+    return places.narrower_than_their_text(dialog())
 
 
 @pytest.mark.window("plain", "portuguese")

@@ -309,3 +309,14 @@ def close_one_popup() -> bool:
     if open_one is not None:
         open_one.close()
     return open_one is not None
+
+
+def narrower_than_their_text(dialog: Any) -> list[str]:
+    """Return labels and buttons of a dialog that are shown narrower than what stands on them, with both widths."""
+    shown = [one for one in dialog.findChildren(QtGui.QLabel) if one.isVisible() and not one.wordWrap()]
+    shown += [one for one in dialog.findChildren(QtGui.QAbstractButton) if one.isVisible() and one.text()]
+    return [
+        f"{one.objectName()} {one.text()!r}: {one.width()} < {one.sizeHint().width()}"
+        for one in shown
+        if one.width() < one.sizeHint().width() - 1
+    ]

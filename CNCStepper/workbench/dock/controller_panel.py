@@ -53,7 +53,6 @@ class Panel(KeyboardArea):
     def __init__(self, link: Link, send: Sender) -> None:
         super().__init__()
         widgets.named(self, "Panel")
-        f1_key.attach(self, "sending/README.md")
         self.language = FreeCADGui.getLocale()
         self.link, self.log = link, LogView()
         lengths, point = settings.lengths(), settings.decimal_point()
@@ -87,13 +86,7 @@ class Panel(KeyboardArea):
         self.unlock = widgets.button("Unlock", tr("Unlock"), lambda: self.link.command("unlock"), icon="Unlock")
         self.setting_up = widgets.button("SetUp", tr("Set up a machine…"), _open_assistant)
         self.console = ConsoleView(lambda line: self.link.command("type", line))
-        for part, page in (
-            (self.connection, "sending/link.md"),
-            (self.file_sending.button, "sending/send-file.md"),
-            (self.recovery.view, "sending/restart.md"),
-            (self.back, "sending/back.md"),
-        ):
-            f1_key.set_page(part, page)
+        self._set_help_pages()
         self._mark: tuple[Any, str] = (None, "")
         self._arrange()
         self._timer = QtCore.QTimer(self)
@@ -101,6 +94,17 @@ class Panel(KeyboardArea):
         self._timer.timeout.connect(messages.guarded(self._tick))
         self._timer.start()
         self.refresh()
+
+    def _set_help_pages(self) -> None:
+        """Say which page of the guide F1 opens at each part."""
+        f1_key.attach(self, "sending/README.md")
+        for part, page in (
+            (self.connection, "sending/link.md"),
+            (self.file_sending.button, "sending/send-file.md"),
+            (self.recovery.view, "sending/restart.md"),
+            (self.back, "sending/back.md"),
+        ):
+            f1_key.set_page(part, page)
 
     def minimumSizeHint(self) -> Any:
         """Return the narrowest that nothing is cut off at, in any language."""
