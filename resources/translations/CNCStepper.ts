@@ -2200,6 +2200,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Planned Time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Plunge</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3140,6 +3144,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The planned time of its own moves; the way to them and the tool change are not in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3325,6 +3333,10 @@
         </message>
         <message>
             <source>Through</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9851,6 +9863,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The planned time of its own moves; the way to them and the tool change are not in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The planned times of the checked operations, without tool changes and the ways between</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10284,6 +10304,10 @@
         </message>
         <message>
             <source>To the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Together {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11687,6 +11711,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tool length</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12428,6 +12456,10 @@
         </message>
         <message>
             <source>{0} tools imported</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} warnings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -2200,6 +2200,10 @@
             <translation>Lugares</translation>
         </message>
         <message>
+            <source>Planned Time</source>
+            <translation>Tempo previsto</translation>
+        </message>
+        <message>
             <source>Plunge</source>
             <translation>Mergulho</translation>
         </message>
@@ -3140,6 +3144,10 @@
             <translation>Onde ficam os furos</translation>
         </message>
         <message>
+            <source>The planned time of its own moves; the way to them and the tool change are not in it</source>
+            <translation>O tempo previsto dos seus próprios movimentos; o caminho até eles e a troca de ferramenta não contam</translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation>O avanço de mergulho do programa</translation>
         </message>
@@ -3326,6 +3334,10 @@
         <message>
             <source>Through</source>
             <translation>Além</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Tempo</translation>
         </message>
         <message>
             <source>Time of the tool at rest with power; 0: from the cut chart</source>
@@ -9851,6 +9863,14 @@
             <translation>Onde ficam os furos</translation>
         </message>
         <message>
+            <source>The planned time of its own moves; the way to them and the tool change are not in it</source>
+            <translation>O tempo previsto dos seus próprios movimentos; o caminho até eles e a troca de ferramenta não contam</translation>
+        </message>
+        <message>
+            <source>The planned times of the checked operations, without tool changes and the ways between</source>
+            <translation>Os tempos previstos das operações marcadas, sem trocas de ferramenta e caminhos entre elas</translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation>O avanço de mergulho do programa</translation>
         </message>
@@ -10285,6 +10305,10 @@
         <message>
             <source>To the start</source>
             <translation>Ao início</translation>
+        </message>
+        <message>
+            <source>Together {0}</source>
+            <translation>Ao todo {0}</translation>
         </message>
         <message>
             <source>Tolerance</source>
@@ -11687,6 +11711,10 @@
             <translation>sem chave</translation>
         </message>
         <message>
+            <source>no tool</source>
+            <translation>sem ferramenta</translation>
+        </message>
+        <message>
             <source>no tool length</source>
             <translation>sem comprimento de ferramenta</translation>
         </message>
@@ -12429,6 +12457,10 @@
         <message>
             <source>{0} tools imported</source>
             <translation>{0} ferramentas importadas</translation>
+        </message>
+        <message>
+            <source>{0} warnings</source>
+            <translation>{0} avisos</translation>
         </message>
         <message>
             <source>{0} was not cut to its end, and no open document has the program that was sent.</source>

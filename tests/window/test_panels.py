@@ -23,6 +23,7 @@ from CNCStepper.workbench.commands.create_object import create
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import problem_of, proxy_type, value_of
 from CNCStepper.workbench.features.operation import Operation
+from CNCStepper.workbench.services.number_format import clock_text
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
@@ -133,9 +134,12 @@ def test_ok_is_one_undo_step(hand: Hand, bench: Bench) -> None:
     bench.opened()
     hand.fill(DEPTH, "12,5")
     hand.wait(lambda: bench.pocket.Depth.Value == 12.5)
+    slow_s = hand.main(lambda: bench.pocket.PlannedTime)
     hand.fill(STEPOVER, "1 mm + 1 mm")
     hand.wait(lambda: bench.pocket.Stepover.Value == 2)
     assert hand.text(DEPTH) == "12.50 mm"
+    time_s = hand.main(lambda: bench.pocket.PlannedTime)
+    assert 0 < time_s != slow_s and hand.text("CNCStepper_Panel_time_s") == clock_text(time_s)
     assert hand.text("CNCStepper_Panel_levels") == str(hand.main(lambda: bench.pocket.Levels))
     assert hand.main(bench.values)["text"] not in ("", before["text"])
     hand.shot("panel-pocket")
@@ -310,6 +314,11 @@ def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:
     assert hand.main(lambda: bench.pocket.Drawings) == []
 
 
+def _rows(name: str) -> list[Any]:
+    entries = hand_box(name)
+    return [entries.item(row) for row in range(entries.count())]
+
+
 def hand_box(name: str) -> Any:
     return FreeCADGui.getMainWindow().findChild(QtGui.QWidget, name)
 
@@ -318,6 +327,13 @@ def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:
     bench.open(bench.job)
     hand.shot("panel-job")
     first, second = hand.main(lambda: [operation.Label for operation in bench.job.Operations])
+    times_s = hand.main(lambda: [operation.PlannedTime for operation in bench.job.Operations])
+    rows = hand.main(lambda: [row.text().split("\n") for row in _rows("CNCStepper_Panel_operations")])
+    assert [row[:2] for row in rows] == [
+        [first, f"T1 · {clock_text(times_s[0])}"],
+        [second, f"T1 · {clock_text(times_s[1])}"],
+    ]
+    assert min(times_s) > 0 and hand.text("CNCStepper_Panel_operations_total").endswith(clock_text(sum(times_s)))
     hand.main(lambda: hand_into("CNCStepper_Panel_operations_up"))
     hand.item("CNCStepper_Panel_operations", second)
     hand.click("CNCStepper_Panel_operations_up")

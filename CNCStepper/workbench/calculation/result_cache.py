@@ -30,10 +30,11 @@ RETRY_S = 2.0  # after which such a question is asked anew
 
 @dataclass(frozen=True)
 class Cut:
-    """The report of an operation's cut: figures by name, and warnings."""
+    """The report of an operation's cut: figures by name, warnings, and its planned time, 0 where it is unknown."""
 
     figures: dict[str, float]
     warnings: tuple[str, ...]
+    time_s: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -165,4 +166,4 @@ def _answer(content: dict[str, Any]) -> Answer:
         return TextCurves(tuple(unpacked_curves(content["curves"])))
     if "texts" in content:
         return Programs(tuple((name, text) for name, text in content["texts"]), tuple(content["paths"]))
-    return Cut(dict(content["figures"]), tuple(content["warnings"]))
+    return Cut(dict(content["figures"]), tuple(content["warnings"]), float(content["time_s"]))

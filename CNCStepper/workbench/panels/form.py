@@ -9,8 +9,10 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.features.base import INTEGER, NUMBERS, Property, value_of
+from CNCStepper.workbench.features.cycle_operation import TIME
 from CNCStepper.workbench.panels.fields import GAP_PX, NAME, Field, Remedy, field_class
 from CNCStepper.workbench.panels.unit_values import text_of
+from CNCStepper.workbench.services.number_format import planned_text
 from CNCStepper.workbench.services.translation import tr
 
 MOST_BESIDE_LABEL = 2  # more lines to type into stand below their label: the task view is narrow
@@ -94,7 +96,8 @@ class Form(QtGui.QWidget):
         self._hide_empty_boxes()
         for key, label in self.results.items():
             entry = next(entry for entry in self.obj.Proxy.PROPERTIES if entry.key == key)
-            label.setText(text_of(value_of(self.obj, entry), entry))
+            value = value_of(self.obj, entry)
+            label.setText(planned_text(value) if key == TIME else text_of(value, entry))
 
     def _hide_empty_boxes(self) -> None:
         """Let a group be seen only while one of its fields counts; what else stands in it is seen with them."""
