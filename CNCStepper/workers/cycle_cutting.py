@@ -9,8 +9,10 @@ before. Each line on standard output is about the newest:
     {"begun": 3}                                                  before anything else
     {"stage": "fit"}   {"stage": "cut"}   {"stage": "write"}      what is being done
     {"key": KEY, "answer": {"fits": {key: [xy, bulge], ...}}}             of a PART {"fit": lines, "tolerance_mm": 0.01}
-    {"key": KEY, "answer": {"figures": {...}, "warnings": [...],          of a PART {"cut": job, "machine": machine}:
-                            "time_s": 12.5}}                              the first operation of the job; 0: unknown
+    {"key": KEY, "answer": {"figures": {...}, "warnings": [...]}}         of a PART {"cut": job, "machine": machine}:
+                                                                          the first operation of the job
+    {"key": KEY, "answer": {"time_s": 12.5}}                              of a PART {"time_of": a PART that cuts}: the
+                                                                          planned time of what it cuts
     {"key": KEY, "answer": {"texts": [[name, text]], "paths": [text]}}    of a PART {"program": job, "machine": machine,
                                                                           "title": text}: paths are for FreeCAD's Path
     {"key": KEY, "answer": {"figures" ... or "texts" ...}}               of a PART {"turned_cut": job} or
@@ -49,7 +51,6 @@ class Answers:
 
     def __init__(self, questions: Questions):
         self._newest = NewestQuestion(questions)
-        self._plans = True  # whether the planner is compiled: else times would keep the figures waiting
         self._cuts: list[Any] = []
 
     def run(self) -> None:
@@ -62,10 +63,9 @@ class Answers:
                 continue
 
     def _answer(self, question: dict[str, Any]) -> None:
-        from CNCStepper.kernels import COMPILED, uncompiled
+        from CNCStepper.kernels import uncompiled
 
         tell({"begun": question["mark"]})
-        self._plans = question["compiled"] and COMPILED
         slowly = nullcontext() if question["compiled"] else uncompiled(self._newest.look)
         with interruptible(self._newest.look), slowly:
             for key, part in question["parts"].items():
@@ -77,6 +77,7 @@ class Answers:
             work: dict[str, Callable[[dict[str, Any]], dict[str, Any]]] = {
                 "fit": self._fits,
                 "cut": self._cut,
+                "time_of": self._time,
                 "text": self._text,
                 "program": self._programs,
                 "turned_cut": self._turned_cut,
@@ -102,14 +103,26 @@ class Answers:
         return {"curves": packed_curves(TextForm.model_validate(part["text"]).curves(Path(part["folder"])))}
 
     def _cut(self, part: dict[str, Any]) -> dict[str, Any]:
-        from CNCStepper.job.cut_transfer import machine_from, setting_from
+        answer = self._first_cut(part).answer
+        return {"figures": answer.figures, "warnings": answer.warnings}
+
+    def _time(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.job.cut_transfer import machine_from
+        from CNCStepper.job.turning.turning_transfer import job_from, last_time_s
+
+        asked = part["time_of"]
+        if "turned_cut" in asked:
+            return {"time_s": last_time_s(*job_from(asked["turned_cut"]))}
+        return {"time_s": self._first_cut(asked).time_s(machine_from(asked["machine"]))}
+
+    def _first_cut(self, part: dict[str, Any]) -> Any:
+        """Return the cut of the first operation of the job that a part has."""
+        from CNCStepper.job.cut_transfer import setting_from
 
         tell({"stage": "cut"})
         job = setting_from(part["cut"], part["machine"])
         cycle = job.operation[0]
-        made = self._cut_once(cycle, job.setup(cycle))
-        time_s = made.time_s(machine_from(part["machine"])) if self._plans else 0.0
-        return {"figures": made.answer.figures, "warnings": made.answer.warnings, "time_s": time_s}
+        return self._cut_once(cycle, job.setup(cycle))
 
     def _programs(self, part: dict[str, Any]) -> dict[str, Any]:
         from CNCStepper.job.cut_transfer import job_from, machine_from, path_text, program_texts
@@ -127,9 +140,8 @@ class Answers:
         from CNCStepper.job.turning.turning_transfer import job_from, last_cut
 
         tell({"stage": "cut"})
-        made = last_cut(*job_from(part["turned_cut"]))
-        time_s = made.time_s() if self._plans else 0.0
-        return {"figures": made.figures, "warnings": made.warnings, "time_s": time_s}
+        figures, warnings = last_cut(*job_from(part["turned_cut"]))
+        return {"figures": figures, "warnings": warnings}
 
     def _turned_programs(self, part: dict[str, Any]) -> dict[str, Any]:
         from CNCStepper.job.turning.turning_transfer import job_from, path_text, program_texts

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -36,31 +35,22 @@ def program_texts(job: TurningJob, machine: Machine, title: str) -> list[tuple[s
     return [(one.file_name, one.program) for one in made] if len(made) > 1 else [("", made[0].program)]
 
 
-@dataclass(frozen=True)
-class LastCut:
-    """Figures and warnings of a job's last operation, with the moves of all."""
-
-    figures: dict[str, float]
-    warnings: tuple[str, ...]
-    moves: Toolpath
-    machine: Machine
-
-    def time_s(self) -> float:
-        """Return the planned time of the last operation, s."""
-        from CNCStepper.motion.planner.plan import begun, times_s  # its kernels load late
-
-        ends_s = times_s(begun(self.moves), self.machine)
-        first = self.moves.spans[-1].first
-        return float(ends_s[-1] - (ends_s[first - 1] if first else 0.0))
-
-
-def last_cut(job: TurningJob, machine: Machine) -> LastCut:
-    """Return the cut of a job's last operation; its refusal names no place, as it is asked for alone."""
+def last_cut(job: TurningJob, machine: Machine) -> tuple[dict[str, float], tuple[str, ...]]:
+    """Return figures and warnings of a job's last operation; its refusal names no place, as it is asked for alone."""
     try:
-        moves, answers = turned_moves(job, machine)
+        _, answers = turned_moves(job, machine)
     except CNCStepperError as error:
         raise error.at(None) from error
-    return LastCut(answers[-1].figures, tuple(answers[-1].warnings), moves, machine)
+    return answers[-1].figures, answers[-1].warnings
+
+
+def last_time_s(job: TurningJob, machine: Machine) -> float:
+    """Return the planned time of a job's last operation, s."""
+    from CNCStepper.motion.planner.plan import begun, times_s  # its kernels load late
+
+    moves, _ = turned_moves(job, machine)
+    ends_s, first = times_s(begun(moves), machine), moves.spans[-1].first
+    return float(ends_s[-1] - (ends_s[first - 1] if first else 0.0))
 
 
 def read_back(job: TurningJob, machine: Machine, text: str, file: str) -> Toolpath:

@@ -12,7 +12,6 @@ from CNCStepper.workbench.features.base import (
     BOOL,
     CONTAINERS,
     DRAWINGS,
-    FLOAT,
     LINK,
     PROBLEM,
     TEXT,
@@ -27,16 +26,12 @@ from CNCStepper.workbench.services.translation import later
 
 OPERATION_GROUP = later("Operation")
 LINKS = ("tool", "active", "drawings")  # keys of every operation that are none of a cycle's
-TIME = "time_s"  # the key of the planned time
 MARKED = "MarkDrawings"  # the property of the drawings that are marked, of operations that mark
 DRAWN_BY = ("Drawings", MARKED)  # the properties whose drawings an operation stands on
 OPERATION = (
     Property("tool", "Tool", LINK, OPERATION_GROUP, later("Tool"), later("The tool that cuts it")),
     Property("active", "Active", BOOL, OPERATION_GROUP, later("Active"), later("Whether the program holds it"), True),
-    Property(TIME, "PlannedTime", FLOAT, OPERATION_GROUP, later("Time"),
-             later("The planned time of its own moves; the way to them and the tool change are not in it"), 0.0,
-             output=True),
-)  # fmt: skip
+)
 
 
 def drawn(group: str, text: str, only: tuple[str, tuple[str, ...]] | tuple[()] = ()) -> tuple[Property, ...]:

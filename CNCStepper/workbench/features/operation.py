@@ -23,7 +23,6 @@ from CNCStepper.workbench.features.base import (
     show,
 )
 from CNCStepper.workbench.features.cycle_operation import (
-    TIME,
     CycleOperation,
     drawings_of,
     jobs_of,
@@ -188,10 +187,9 @@ class Operation(CycleOperation):
         from CNCStepper.workbench.document.machine_of_job import remarks
         from CNCStepper.workbench.features.tool import model_of
 
-        known = self._known(job, obj, cycle)
-        answer = known or self.cut_once(cycle, setup_of(job, obj, cycle)).answer
+        answer = self._known(job, obj, cycle) or self.cut_once(cycle, setup_of(job, obj, cycle)).answer
         self.warnings = (*self.remarks, *answer.warnings, *remarks(fed(model_of(obj.Tool), job), job))
-        return {**answer.figures, TIME: known.time_s if known else 0.0}
+        return dict(answer.figures)
 
     def _followed(self, obj: Any) -> tuple[Any, Any]:
         """Return the job of `obj`, None where it has none, and the cycle, whose shape follows the drawing."""

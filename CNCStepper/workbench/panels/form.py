@@ -9,10 +9,8 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.features.base import INTEGER, NUMBERS, Property, value_of
-from CNCStepper.workbench.features.cycle_operation import TIME
 from CNCStepper.workbench.panels.fields import GAP_PX, NAME, Field, Remedy, field_class
 from CNCStepper.workbench.panels.unit_values import text_of
-from CNCStepper.workbench.services.number_format import planned_text
 from CNCStepper.workbench.services.translation import tr
 
 MOST_BESIDE_LABEL = 2  # more lines to type into stand below their label: the task view is narrow
@@ -96,8 +94,7 @@ class Form(QtGui.QWidget):
         self._hide_empty_boxes()
         for key, label in self.results.items():
             entry = next(entry for entry in self.obj.Proxy.PROPERTIES if entry.key == key)
-            value = value_of(self.obj, entry)
-            label.setText(planned_text(value) if key == TIME else text_of(value, entry))
+            label.setText(text_of(value_of(self.obj, entry), entry))
 
     def _hide_empty_boxes(self) -> None:
         """Let a group be seen only while one of its fields counts; what else stands in it is seen with them."""
@@ -150,17 +147,21 @@ class Form(QtGui.QWidget):
         else:
             layout.addRow(field.label, field.widget)
 
-    def _add_result(self, entry: Property) -> None:
+    def add_result(self, group: str, key: str, label: str, tip: str) -> Any:
+        """Add a line that shows a text to a group; label, tip: in the user's language."""
         value = QtGui.QLabel(self)
-        value.setObjectName(f"{NAME}_{entry.key}")
+        value.setObjectName(f"{NAME}_{key}")
         value.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
-        label = QtGui.QLabel(tr(entry.label), self)
-        for widget in (label, value):
-            widget.setToolTip(tr(entry.text))
+        name = QtGui.QLabel(label, self)
+        for widget in (name, value):
+            widget.setToolTip(tip)
         value.setContentsMargins(0, GAP_PX, 0, GAP_PX)
-        self.results[entry.key] = value
-        self._always.add(entry.group)
-        _layout(self.box(entry.group)).addRow(label, value)
+        self._always.add(group)
+        _layout(self.box(group)).addRow(name, value)
+        return value
+
+    def _add_result(self, entry: Property) -> None:
+        self.results[entry.key] = self.add_result(entry.group, entry.key, tr(entry.label), tr(entry.text))
 
 
 def align_labels(layouts: list[Any]) -> None:

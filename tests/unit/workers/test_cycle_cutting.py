@@ -45,12 +45,11 @@ def test_it_answers_what_the_core_makes(told: list[dict[str, Any]]) -> None:
     job, machine = one_operation()
     content, profile = content_of(job), machine_content(machine)
     program = {"program": content, "machine": profile, "title": "Part"}
-    answers = ask({"a": {"cut": content, "machine": profile}, "b": program}, told)
-    _, [answer] = cut_operations(job.on(machine))
-    time_s = answers["a"].pop("time_s")
+    cut = {"cut": content, "machine": profile}
+    answers = ask({"a": cut, "b": program, "c": {"time_of": cut}}, told)
+    moves, [answer] = cut_operations(job.on(machine))
+    assert answers["c"]["time_s"] == pytest.approx(duration_s(begun(moves), machine), rel=0.02)
     assert answers["a"] == {"figures": answer.figures, "warnings": answer.warnings}
-    moves, _ = cut_operations(job.on(machine))
-    assert time_s == pytest.approx(duration_s(begun(moves), machine), rel=0.02)
     assert answers["b"]["texts"] == [("", make_program(job, machine, "Part").program)]
     assert "G1" in answers["b"]["paths"][0]
     assert told[0] == {"begun": 1} and told[-1] == {"done": 1}

@@ -17,7 +17,7 @@ from CNCStepper.workbench.document.machine_of_job import machine_of
 from CNCStepper.workbench.document.operation_order import active_operations
 from CNCStepper.workbench.document.turning.profile_of_operation import profile_pair, rows_of, side_of
 from CNCStepper.workbench.features.base import values
-from CNCStepper.workbench.features.cycle_operation import TIME, tool_of
+from CNCStepper.workbench.features.cycle_operation import tool_of
 from CNCStepper.workbench.features.program import is_of_a_file
 from CNCStepper.workbench.features.program_job import part_of
 from CNCStepper.workbench.features.turning.turning_tool import model_of
@@ -101,14 +101,10 @@ def cut_question(obj: Any, operation: Any) -> dict[str, Any]:
 
 
 def cut_for_trial(obj: Any, operation: Any) -> tuple[dict[str, float], tuple[str, ...]]:
-    """Return figures and warnings of an operation, cut as its job would; raises CycleError.
-
-    The figures hold its planned time where the cut process has answered.
-    """
+    """Return figures and warnings of an operation, cut as its job would; raises CycleError."""
     if result_cache.any_known() and (answer := result_cache.answer_to(cut_question(obj, operation))) is not None:
-        return {**answer.figures, TIME: answer.time_s}, answer.warnings  # type: ignore[union-attr]
-    made = turning_transfer.last_cut(_cut_alone(obj, operation), lathe_of(obj))
-    return made.figures, made.warnings
+        return answer.figures, answer.warnings  # type: ignore[union-attr]
+    return turning_transfer.last_cut(_cut_alone(obj, operation), lathe_of(obj))
 
 
 def _cut_alone(obj: Any, operation: Any) -> TurningJob:

@@ -20,7 +20,6 @@ from CNCStepper.workbench import packages
 from CNCStepper.workbench.features.base import FLOAT, LATHE_JOB, Property, show
 from CNCStepper.workbench.features.cycle_operation import (
     OPERATION,
-    TIME,
     CycleOperation,
     drawings_of,
     drawn,
@@ -90,8 +89,7 @@ class TurningOperation(CycleOperation):
         from CNCStepper.workbench.document.turning.core_turning_job import cut_for_trial
 
         figures, self.warnings = cut_for_trial(jobs[0], obj)
-        used = {"used_rpm": figures["rpm"], "used_feed_mm_rev": figures["feed_mm_rev"]}
-        show(obj, {**used, TIME: figures.get(TIME, 0.0)})
+        show(obj, {"used_rpm": figures["rpm"], "used_feed_mm_rev": figures["feed_mm_rev"]})
 
     def _require_what_it_needs(self, obj: Any) -> None:
         if self.FOLLOWS and not drawings_of(obj) and not obj.DeletedDrawing:

@@ -60,7 +60,7 @@ def test_every_bad_cell_has_its_sentence_and_a_copy_a_number_of_its_own() -> Non
     assert draft.duplicate(0) == 1 and draft.table[1].texts == {**draft.table[0].texts, "number": "2"}
     draft.table[1].texts["number"] = "1"
     draft.table[0].texts.update(shape="drill", corner_radius_mm="1")
-    assert {place for place in draft.judged()[1]} == {(1, "number"), (0, "corner_radius_mm")}
+    assert set(draft.judged()[1]) == {(1, "number"), (0, "corner_radius_mm")}
 
 
 @pytest.mark.parametrize("ending", [".fctl", ".tbl"])
