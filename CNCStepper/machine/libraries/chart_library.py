@@ -25,7 +25,7 @@ CHARTED = tuple(name for name, process in PROCESSES.items() if process.uses_char
 class ChartLibrary:
     """The chart of one process: a row for each material, thickness and consumable, by the keys of `[[cut]]`."""
 
-    ENDINGS = (".toml", ".cfg")
+    ENDINGS: tuple[str, ...] = (".toml", ".cfg")
 
     def __init__(self, process: str):
         self.process = process

@@ -36,7 +36,7 @@ OF_TURNING = ("force_n_mm2", "exponent", "elasticity_n_mm2")
 class MaterialLibrary:
     """The materials: a row each, with surface speeds and chip loads for carbide and HSS, and what turning needs."""
 
-    ENDINGS = (".toml",)
+    ENDINGS: tuple[str, ...] = (".toml",)
     columns: tuple[Column, ...] = (
         Column(KEY, "text", is_needed=True),
         Column("title", "text", is_needed=True),

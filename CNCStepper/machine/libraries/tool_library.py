@@ -30,7 +30,7 @@ NEW = {"shape": "flat", "diameter_mm": 6.0, "made_of": "carbide"}
 class ToolLibrary:
     """The user's tools as a table: a row a tool, by the keys of a job file's `[[tool]]` and its name."""
 
-    ENDINGS = ENDINGS
+    ENDINGS: tuple[str, ...] = ENDINGS
     columns: tuple[Column, ...] = (
         Column(NUMBER, "whole", is_needed=True),
         Column(NAME, "text"),

@@ -15,7 +15,7 @@ from CNCStepper.machine.libraries.tool_library import ToolLibrary
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.document.tools import library_of_job
 from CNCStepper.workbench.help import f1_key
-from CNCStepper.workbench.libraries.page import Page
+from CNCStepper.workbench.libraries.library_page import Page
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.messages import guarded
