@@ -19538,6 +19538,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>run it in a document like the one it was recorded in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>run this job with cncstepper run</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21990,6 +21994,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the macro needs the object {name}, which this document does not have</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the margin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24127,6 +24135,10 @@
         </message>
         <message>
             <source>use I and J instead of R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use Install packages… in the message of the workbench</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
