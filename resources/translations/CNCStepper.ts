@@ -17174,6 +17174,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it is drawn by programs with extensions alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is empty</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17187,6 +17191,10 @@
         </message>
         <message>
             <source>it is no STEP file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it is of another language than English</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25278,6 +25286,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} elements are for one language: those in English, or in none, are read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25307,6 +25319,10 @@
         </message>
         <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} texts are written downwards, raised or lowered: they are set on a straight line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
