@@ -19865,6 +19865,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>está danificado</translation>
         </message>
         <message>
+            <source>it is drawn by programs with extensions alone</source>
+            <translation>só é desenhado por programas com extensões</translation>
+        </message>
+        <message>
             <source>it is empty</source>
             <translation>ele está vazio</translation>
         </message>
@@ -19879,6 +19883,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>it is no STEP file</source>
             <translation>não é um arquivo STEP</translation>
+        </message>
+        <message>
+            <source>it is of another language than English</source>
+            <translation>está em outro idioma que não o inglês</translation>
         </message>
         <message>
             <source>it is one program</source>
@@ -27981,6 +27989,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{count} traços tracejados são lidos como linhas contínuas</translation>
         </message>
         <message>
+            <source>{count} elements are for one language: those in English, or in none, are read</source>
+            <translation>{count} elementos são de um idioma: são lidos os que estão em inglês ou em nenhum</translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation>{count} microjunções não cabem em {chain}</translation>
         </message>
@@ -28015,6 +28027,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
             <translation>{count} textos são compostos em outra fonte ou estilo que os do arquivo: {names}</translation>
+        </message>
+        <message>
+            <source>{count} texts are written downwards, raised or lowered: they are set on a straight line</source>
+            <translation>{count} textos correm para baixo, ou estão elevados ou rebaixados: são postos em uma linha reta</translation>
         </message>
         <message>
             <source>{count} texts with places inside their textLength are not brought to it</source>
