@@ -22215,6 +22215,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>run it in a document like the one it was recorded in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>run this job with cncstepper run</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24667,6 +24671,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the macro needs the object {name}, which this document does not have</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the margin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26804,6 +26812,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>use I and J instead of R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use Install packages… in the message of the workbench</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -22237,6 +22237,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>as linhas têm de ser uma lista de tabelas</translation>
         </message>
         <message>
+            <source>run it in a document like the one it was recorded in</source>
+            <translation>execute-a em um documento como aquele em que foi gravada</translation>
+        </message>
+        <message>
             <source>run this job with cncstepper run</source>
             <translation>execute este trabalho com cncstepper run</translation>
         </message>
@@ -24689,6 +24693,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a posição da máquina é desconhecida: veja se o fuso e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the macro needs the object {name}, which this document does not have</source>
+            <translation>a macro precisa do objeto {name}, que este documento não tem</translation>
+        </message>
+        <message>
             <source>the margin</source>
             <translation>a margem</translation>
         </message>
@@ -26827,6 +26835,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>use I and J instead of R</source>
             <translation>use I e J em vez de R</translation>
+        </message>
+        <message>
+            <source>use Install packages… in the message of the workbench</source>
+            <translation>use Instalar pacotes… na mensagem da bancada</translation>
         </message>
         <message>
             <source>use ROUND[...]</source>
