@@ -4719,6 +4719,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Choose…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chuck</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5780,6 +5784,10 @@
         </message>
         <message>
             <source>Folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Folder of programs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6887,6 +6895,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Jobs and programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7596,6 +7608,10 @@
         </message>
         <message>
             <source>New job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New jobs begin with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9047,6 +9063,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Show the first steps when the workbench opens</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9352,6 +9372,10 @@
         </message>
         <message>
             <source>Stock to leave at the wall for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stock under a drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10655,6 +10679,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Units of fields, the decimal sign and colours of paths are FreeCAD's own preferences.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Unlock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11360,6 +11388,10 @@
         </message>
         <message>
             <source>bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

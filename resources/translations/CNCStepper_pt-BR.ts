@@ -4719,6 +4719,10 @@
             <translation>Escolha o que a máquina faz e a máquina mais parecida com a sua.</translation>
         </message>
         <message>
+            <source>Choose…</source>
+            <translation>Escolher…</translation>
+        </message>
+        <message>
             <source>Chuck</source>
             <translation>Placa</translation>
         </message>
@@ -5781,6 +5785,10 @@
         <message>
             <source>Folder</source>
             <translation>Pasta</translation>
+        </message>
+        <message>
+            <source>Folder of programs</source>
+            <translation>Pasta dos programas</translation>
         </message>
         <message>
             <source>Follow only the selected lines</source>
@@ -6887,6 +6895,10 @@
             <translation>Trabalhos ({0})</translation>
         </message>
         <message>
+            <source>Jobs and programs</source>
+            <translation>Trabalhos e programas</translation>
+        </message>
+        <message>
             <source>Jobs and programs of the document</source>
             <translation>Trabalhos e programas do documento</translation>
         </message>
@@ -7597,6 +7609,10 @@
         <message>
             <source>New job</source>
             <translation>Novo trabalho</translation>
+        </message>
+        <message>
+            <source>New jobs begin with</source>
+            <translation>Trabalhos novos começam com</translation>
         </message>
         <message>
             <source>New lathe job</source>
@@ -9047,6 +9063,10 @@
             <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o retoma ali.</translation>
         </message>
         <message>
+            <source>Show the first steps when the workbench opens</source>
+            <translation>Mostrar os primeiros passos ao abrir a bancada</translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation>Mostrar a trajetória</translation>
         </message>
@@ -9353,6 +9373,10 @@
         <message>
             <source>Stock to leave at the wall for another operation</source>
             <translation>O que fica na parede para outra operação tirar</translation>
+        </message>
+        <message>
+            <source>Stock under a drawing</source>
+            <translation>Material sob um desenho</translation>
         </message>
         <message>
             <source>Stop</source>
@@ -10655,6 +10679,10 @@
             <translation>Unidades</translation>
         </message>
         <message>
+            <source>Units of fields, the decimal sign and colours of paths are FreeCAD's own preferences.</source>
+            <translation>As unidades dos campos, o sinal decimal e as cores dos caminhos são preferências do próprio FreeCAD.</translation>
+        </message>
+        <message>
             <source>Unlock</source>
             <translation>Destravar</translation>
         </message>
@@ -11361,6 +11389,10 @@
         <message>
             <source>bar</source>
             <translation>barra</translation>
+        </message>
+        <message>
+            <source>beside the document</source>
+            <translation>ao lado do documento</translation>
         </message>
         <message>
             <source>bolt circle</source>
