@@ -5239,6 +5239,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Does</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8659,6 +8663,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Reports ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Resolution</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10476,6 +10484,10 @@
         </message>
         <message>
             <source>To the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Together</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29589,6 +29601,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Rectangular pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Report</name>
+        <message>
+            <source>Report…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Writes the job on paper: its operations with tool and time, its path and its program</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -5239,6 +5239,10 @@
             <translation>Distâncias</translation>
         </message>
         <message>
+            <source>Document</source>
+            <translation>Documento</translation>
+        </message>
+        <message>
             <source>Does</source>
             <translation>Faz</translation>
         </message>
@@ -8659,6 +8663,10 @@
             <translation>Relatório</translation>
         </message>
         <message>
+            <source>Reports ({0})</source>
+            <translation>Relatórios ({0})</translation>
+        </message>
+        <message>
             <source>Resolution</source>
             <translation>Resolução</translation>
         </message>
@@ -10477,6 +10485,10 @@
         <message>
             <source>To the start</source>
             <translation>Ao início</translation>
+        </message>
+        <message>
+            <source>Together</source>
+            <translation>Ao todo</translation>
         </message>
         <message>
             <source>Together {0}</source>
@@ -29612,6 +29624,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Rectangular pocket</source>
             <translation>Bolsão retangular</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Report</name>
+        <message>
+            <source>Report…</source>
+            <translation>Relatório…</translation>
+        </message>
+        <message>
+            <source>Writes the job on paper: its operations with tool and time, its path and its program</source>
+            <translation>Põe o trabalho no papel: suas operações com ferramenta e tempo, seu caminho e seu programa</translation>
         </message>
     </context>
     <context>

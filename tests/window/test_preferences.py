@@ -26,10 +26,6 @@ def box(name: str) -> Any:
     return next((widget for widget in found if widget.isVisible()), None)
 
 
-def ok_button() -> Any:
-    return box("folder").window().findChild(QtGui.QDialogButtonBox).button(QtGui.QDialogButtonBox.StandardButton.Ok)
-
-
 @pytest.mark.window("plain", "portuguese")
 def test_what_is_preferred_is_what_the_next_job_begins_with(hand: Hand, tmp_path: Path) -> None:
     hand.main(lambda: QtCore.QTimer.singleShot(0, lambda: FreeCADGui.showPreferences("CNCStepper")))
@@ -45,7 +41,7 @@ def test_what_is_preferred_is_what_the_next_job_begins_with(hand: Hand, tmp_path
 
     hand.main(choose)
     hand.fill(hand.main(box, "folder"), str(tmp_path))
-    hand.click(hand.main(ok_button))
+    hand.key("Return")  # OK
     hand.wait(lambda: box("machine") is None, 10, "the dialog to close")
     try:
         hand.main(FreeCAD.newDocument, "Preferred")
