@@ -19,7 +19,7 @@ before. Each line on standard output is about the newest:
                                                                           {"turned_program": job, "title": text}: a
                                                                           lathe's, as job/turning/turning_transfer.py
     {"key": KEY, "answer": {"written": path}}                             of a PART {"sheet": {...}, "of": a PART of a
-                                                                          program}: job/program_sheet.py
+                                                                          program}: job/files/program_sheet.py
     {"key": KEY, "answer": {"curves": {...}}}                             of a PART {"text": form, "folder": path}:
                                                                           columns, job/drawings/imported_drawing.py
     {"key": KEY, "answer": {"error": {...}}}                      of a part that is refused
@@ -120,7 +120,7 @@ class Answers:
 
     def _sheet(self, part: dict[str, Any]) -> dict[str, Any]:
         from CNCStepper.job.cut_transfer import job_from, machine_from
-        from CNCStepper.job.program_sheet import write_program_sheet
+        from CNCStepper.job.files.program_sheet import write_program_sheet
 
         tell({"stage": "write"})
         machine = machine_from(part["of"]["machine"])
