@@ -19843,6 +19843,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it is drawn by programs with extensions alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is empty</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19856,6 +19860,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>it is no STEP file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it is of another language than English</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22204,6 +22212,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>rows must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>run it in a document like the one it was recorded in</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24659,6 +24671,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the macro needs the object {name}, which this document does not have</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the margin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26799,6 +26815,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use Install packages… in the message of the workbench</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use ROUND[...]</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27947,6 +27967,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} elements are for one language: those in English, or in none, are read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27980,6 +28004,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} texts are written downwards, raised or lowered: they are set on a straight line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

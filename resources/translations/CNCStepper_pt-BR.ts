@@ -19865,6 +19865,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>está danificado</translation>
         </message>
         <message>
+            <source>it is drawn by programs with extensions alone</source>
+            <translation>só é desenhado por programas com extensões</translation>
+        </message>
+        <message>
             <source>it is empty</source>
             <translation>ele está vazio</translation>
         </message>
@@ -19879,6 +19883,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>it is no STEP file</source>
             <translation>não é um arquivo STEP</translation>
+        </message>
+        <message>
+            <source>it is of another language than English</source>
+            <translation>está em outro idioma que não o inglês</translation>
         </message>
         <message>
             <source>it is one program</source>
@@ -22227,6 +22235,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>rows must be a list of tables</source>
             <translation>as linhas têm de ser uma lista de tabelas</translation>
+        </message>
+        <message>
+            <source>run it in a document like the one it was recorded in</source>
+            <translation>execute-a em um documento como aquele em que foi gravada</translation>
         </message>
         <message>
             <source>run this job with cncstepper run</source>
@@ -24681,6 +24693,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a posição da máquina é desconhecida: veja se o fuso e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the macro needs the object {name}, which this document does not have</source>
+            <translation>a macro precisa do objeto {name}, que este documento não tem</translation>
+        </message>
+        <message>
             <source>the margin</source>
             <translation>a margem</translation>
         </message>
@@ -26821,6 +26837,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use I e J em vez de R</translation>
         </message>
         <message>
+            <source>use Install packages… in the message of the workbench</source>
+            <translation>use Instalar pacotes… na mensagem da bancada</translation>
+        </message>
+        <message>
             <source>use ROUND[...]</source>
             <translation>use ROUND[...]</translation>
         </message>
@@ -27969,6 +27989,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{count} traços tracejados são lidos como linhas contínuas</translation>
         </message>
         <message>
+            <source>{count} elements are for one language: those in English, or in none, are read</source>
+            <translation>{count} elementos são de um idioma: são lidos os que estão em inglês ou em nenhum</translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation>{count} microjunções não cabem em {chain}</translation>
         </message>
@@ -28003,6 +28027,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
             <translation>{count} textos são compostos em outra fonte ou estilo que os do arquivo: {names}</translation>
+        </message>
+        <message>
+            <source>{count} texts are written downwards, raised or lowered: they are set on a straight line</source>
+            <translation>{count} textos correm para baixo, ou estão elevados ou rebaixados: são postos em uma linha reta</translation>
         </message>
         <message>
             <source>{count} texts with places inside their textLength are not brought to it</source>
