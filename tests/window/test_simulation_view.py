@@ -17,6 +17,7 @@ import pytest
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.proving import standby
 from CNCStepper.workbench.proving.proof_process import ProofRun
 from CNCStepper.workbench.services.findings_list import sentence
 from CNCStepper.workbench.simulation import open_simulation
@@ -26,6 +27,7 @@ from window_helpers.hand import Hand
 
 PROVEN_S = 180  # where nothing is compiled yet and the processors are busy
 AT_ONCE_MS = 50
+PART_S = 0.5  # of processor, from the click to the part in its process
 
 
 def new_document(drawing_mm: tuple[float, float, float] = (50, 35, 0)) -> Any:
@@ -139,6 +141,20 @@ def volume_mm3(tiles: dict[int, np.ndarray]) -> float:
 
 def shows_a_moment(task: SimulationTask) -> bool:
     return bool(task._scene._part.whichChild.getValue() == AT_MOMENT)
+
+
+def processor_s(pid: int) -> float:
+    """The processor time that a process has taken."""
+    used = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[11:13]
+    return sum(map(int, used)) / os.sysconf("SC_CLK_TCK")
+
+
+def waiting_proof(hand: Hand) -> tuple[int, float]:
+    """Wait until a process has loaded what the next proof needs; its number and the processor time of that."""
+    hand.wait(lambda: standby._standby is not None and standby._standby.is_ready, PROVEN_S)
+    pid = standby._standby.pid
+    assert pid is not None
+    return pid, processor_s(pid)
 
 
 def opened_up_to_the_part(hand: Hand, job: Any) -> tuple[SimulationTask, int]:
@@ -327,7 +343,11 @@ def test_it_leaves_nothing_behind(hand: Hand, job: Any) -> None:
 
 
 def test_the_part_is_in_the_view_before_the_answer(hand: Hand, job: Any) -> None:
+    waited, loaded_s = waiting_proof(hand)
     task, process = opened_up_to_the_part(hand, job)
+    used_s = processor_s(process) - loaded_s
+    print(f"the process that waited has taken {used_s:.2f} s of processor for the part, {loaded_s:.2f} before")
+    assert process == waited and used_s < PART_S
     scene = task._scene
     assert task._result is None and hand.main(scenes) == 1 and hand.main(finished_faces, task) > 0
     assert not hand.main(lambda: job.Document.Plate.ViewObject.Visibility)

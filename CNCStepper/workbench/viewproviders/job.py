@@ -7,6 +7,7 @@ from typing import Any
 
 from CNCStepper.job.deferred_fitting import is_on_trial
 from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.proving import standby
 from CNCStepper.workbench.services.messages import guarded, polled
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
@@ -24,11 +25,12 @@ class ProgramJob(ViewProvider):
 
     @polled
     def attach(self, view: Any) -> None:
-        """Draw the stock; FreeCAD calls this for a new view and when a document is opened."""
+        """Draw the stock, for a new view and when a document is opened; the job's first proof is prepared."""
         super().attach(view)
         self.figure = self.new_figure()
         view.addDisplayMode(self.figure.node, STOCK)
         self._draw()
+        standby.prepare()
 
     def new_figure(self) -> Any:
         """Return what draws the stock: it has a `node` and an `update` with the job."""
