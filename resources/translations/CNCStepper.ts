@@ -4511,6 +4511,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Big digits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Big digits…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Blade offset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5075,6 +5083,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Depth, from above without the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Designation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5211,6 +5223,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag a frame to zoom into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5284,6 +5300,10 @@
         </message>
         <message>
             <source>Drive (steps per mm follow from it)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drive round the job in air, at its safe height and without power, before the first cut.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5940,6 +5960,10 @@
         </message>
         <message>
             <source>From tooth to tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From where the part is looked at, and how near; the mouse turns and moves it as ever</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6739,6 +6763,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Isometric</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Isosceles triangle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6748,6 +6776,10 @@
         </message>
         <message>
             <source>It is cut last already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7060,6 +7092,10 @@
         </message>
         <message>
             <source>Line spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8131,6 +8167,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Positions, state and remaining time in a window of their own, to be read across the room</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8467,6 +8507,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Remaining {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Remnants</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8632,6 +8676,10 @@
         </message>
         <message>
             <source>Rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Run the outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8892,6 +8940,10 @@
         </message>
         <message>
             <source>Shorter than</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show all</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9815,6 +9867,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The outline is run only while the machine is idle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The outline seen from above, or the faces or the section at a height</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10495,6 +10551,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>View</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Virtual grbl (no machine)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10911,6 +10971,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>XY, from above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Y times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10947,11 +11011,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>ZY, from the side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Zero's place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Zip with packages ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Zoom in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Zoom out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12459,6 +12535,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}, outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}, restart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13950,6 +14030,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a lathe's tool has no outline over the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a lead of kind 'arc' needs radius_mm, and no length_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14539,6 +14623,10 @@
         </message>
         <message>
             <source>a whole number from 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a wire has no height above the part at which it could drive round it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15495,6 +15583,10 @@
         </message>
         <message>
             <source>choose another process in the job, or delete the operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose another program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17839,6 +17931,10 @@
         </message>
         <message>
             <source>look at the network of the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at the simulation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

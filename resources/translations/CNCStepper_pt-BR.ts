@@ -4511,6 +4511,14 @@
             <translation>Além</translation>
         </message>
         <message>
+            <source>Big digits</source>
+            <translation>Dígitos grandes</translation>
+        </message>
+        <message>
+            <source>Big digits…</source>
+            <translation>Dígitos grandes…</translation>
+        </message>
+        <message>
             <source>Blade offset</source>
             <translation>Recuo da lâmina</translation>
         </message>
@@ -5075,6 +5083,10 @@
             <translation>Profundidade até</translation>
         </message>
         <message>
+            <source>Depth, from above without the path</source>
+            <translation>Profundidade, de cima sem o caminho</translation>
+        </message>
+        <message>
             <source>Designation</source>
             <translation>Designação</translation>
         </message>
@@ -5211,6 +5223,10 @@
             <translation>Duplicadas</translation>
         </message>
         <message>
+            <source>Drag a frame to zoom into</source>
+            <translation>Arrastar um quadro para ampliar</translation>
+        </message>
+        <message>
             <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
             <translation>Arraste uma peça para movê-la, com Shift para girá-la; Delete a retira</translation>
         </message>
@@ -5285,6 +5301,10 @@
         <message>
             <source>Drive (steps per mm follow from it)</source>
             <translation>Acionamento (dele seguem os passos por mm)</translation>
+        </message>
+        <message>
+            <source>Drive round the job in air, at its safe height and without power, before the first cut.</source>
+            <translation>Percorrer o contorno do trabalho no ar, na altura segura e sem potência, antes do primeiro corte.</translation>
         </message>
         <message>
             <source>Drive the length</source>
@@ -5941,6 +5961,10 @@
         <message>
             <source>From tooth to tooth</source>
             <translation>De dente a dente</translation>
+        </message>
+        <message>
+            <source>From where the part is looked at, and how near; the mouse turns and moves it as ever</source>
+            <translation>De onde a peça é vista, e de quão perto; o mouse gira e move a vista como sempre</translation>
         </message>
         <message>
             <source>Front edge</source>
@@ -6739,6 +6763,10 @@
             <translation>O zero-peça está definido no bloco e o caminho está livre?</translation>
         </message>
         <message>
+            <source>Isometric</source>
+            <translation>Isométrica</translation>
+        </message>
+        <message>
             <source>Isosceles triangle</source>
             <translation>Triângulo isósceles</translation>
         </message>
@@ -6749,6 +6777,10 @@
         <message>
             <source>It is cut last already</source>
             <translation>Já é usinada por último</translation>
+        </message>
+        <message>
+            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
+            <translation>Não se sabe onde a peça está na mesa: referencie a máquina, depois defina o zero de trabalho.</translation>
         </message>
         <message>
             <source>It is your copy of a shipped profile, and is used in its place.</source>
@@ -7061,6 +7093,10 @@
         <message>
             <source>Line spacing</source>
             <translation>Entrelinha</translation>
+        </message>
+        <message>
+            <source>Line {0}</source>
+            <translation>Linha {0}</translation>
         </message>
         <message>
             <source>Line {0}, {1}: {2}</source>
@@ -8131,6 +8167,10 @@
             <translation>Posição</translation>
         </message>
         <message>
+            <source>Positions, state and remaining time in a window of their own, to be read across the room</source>
+            <translation>Posições, estado e tempo restante em uma janela própria, para ler do outro lado da sala</translation>
+        </message>
+        <message>
             <source>Power</source>
             <translation>Potência</translation>
         </message>
@@ -8467,6 +8507,10 @@
             <translation>Restante</translation>
         </message>
         <message>
+            <source>Remaining {0}</source>
+            <translation>Restante {0}</translation>
+        </message>
+        <message>
             <source>Remnants</source>
             <translation>Retalhos</translation>
         </message>
@@ -8633,6 +8677,10 @@
         <message>
             <source>Rules</source>
             <translation>Regras</translation>
+        </message>
+        <message>
+            <source>Run the outline</source>
+            <translation>Percorrer o contorno</translation>
         </message>
         <message>
             <source>Running</source>
@@ -8893,6 +8941,10 @@
         <message>
             <source>Shorter than</source>
             <translation>Mais curtos que</translation>
+        </message>
+        <message>
+            <source>Show all</source>
+            <translation>Mostrar tudo</translation>
         </message>
         <message>
             <source>Show how far the job came when the link broke, and restart it there</source>
@@ -9815,6 +9867,10 @@
             <translation>A outra ponta da diagonal, antes de o retângulo ser girado</translation>
         </message>
         <message>
+            <source>The outline is run only while the machine is idle.</source>
+            <translation>O contorno só é percorrido com a máquina ociosa.</translation>
+        </message>
+        <message>
             <source>The outline seen from above, or the faces or the section at a height</source>
             <translation>O contorno visto de cima, ou as faces ou a seção a uma altura</translation>
         </message>
@@ -10495,6 +10551,10 @@
             <translation>Valores</translation>
         </message>
         <message>
+            <source>View</source>
+            <translation>Vista</translation>
+        </message>
+        <message>
             <source>Virtual grbl (no machine)</source>
             <translation>grbl virtual (sem máquina)</translation>
         </message>
@@ -10911,6 +10971,10 @@
             <translation>espuma XPS</translation>
         </message>
         <message>
+            <source>XY, from above</source>
+            <translation>XY, de cima</translation>
+        </message>
+        <message>
             <source>Y times</source>
             <translation>Y vezes</translation>
         </message>
@@ -10947,12 +11011,24 @@
             <translation>Suporte em Z</translation>
         </message>
         <message>
+            <source>ZY, from the side</source>
+            <translation>ZY, de lado</translation>
+        </message>
+        <message>
             <source>Zero's place</source>
             <translation>Lugar do zero</translation>
         </message>
         <message>
             <source>Zip with packages ({0})</source>
             <translation>Zip com pacotes ({0})</translation>
+        </message>
+        <message>
+            <source>Zoom in</source>
+            <translation>Ampliar</translation>
+        </message>
+        <message>
+            <source>Zoom out</source>
+            <translation>Reduzir</translation>
         </message>
         <message>
             <source>[The whole manual]({0}) opens in the browser.</source>
@@ -12459,6 +12535,10 @@
             <translation>{0}, linha {1}</translation>
         </message>
         <message>
+            <source>{0}, outline</source>
+            <translation>{0}, contorno</translation>
+        </message>
+        <message>
             <source>{0}, restart</source>
             <translation>{0}, retomada</translation>
         </message>
@@ -13950,6 +14030,10 @@
             <translation>os arcos de um torno ficam no plano ZX (G18)</translation>
         </message>
         <message>
+            <source>a lathe's tool has no outline over the bar</source>
+            <translation>a ferramenta de um torno não tem contorno sobre a barra</translation>
+        </message>
+        <message>
             <source>a lead of kind 'arc' needs radius_mm, and no length_mm</source>
             <translation>uma entrada ou saída do tipo 'arc' precisa de radius_mm e não de length_mm</translation>
         </message>
@@ -14540,6 +14624,10 @@
         <message>
             <source>a whole number from 0</source>
             <translation>um número inteiro a partir de 0</translation>
+        </message>
+        <message>
+            <source>a wire has no height above the part at which it could drive round it</source>
+            <translation>um fio não tem altura acima da peça na qual possa percorrê-la</translation>
         </message>
         <message>
             <source>a word does not begin with a letter</source>
@@ -15496,6 +15584,10 @@
         <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation>escolha outro processo no trabalho, ou apague a operação</translation>
+        </message>
+        <message>
+            <source>choose another program</source>
+            <translation>escolha outro programa</translation>
         </message>
         <message>
             <source>choose another side</source>
@@ -17840,6 +17932,10 @@
         <message>
             <source>look at the network of the controller</source>
             <translation>verifique a rede do controlador</translation>
+        </message>
+        <message>
+            <source>look at the simulation</source>
+            <translation>veja a simulação</translation>
         </message>
         <message>
             <source>look at this drawing alone: cncstepper job</source>

@@ -91,7 +91,7 @@ def work_mm(hand: Hand, axis: str) -> float:
 
 
 def test_without_a_controller_nothing_works_and_says_why(hand: Hand, dock: Any) -> None:
-    for name in ("Hold", "Resume", "Stop", "JogXPlus", "ZeroX", "Home", "Unlock", "Override_feed_10"):
+    for name in ("Hold", "Resume", "Stop", "JogXPlus", "ZeroX", "Home", "Unlock", "Override_feed_10", "Outline"):
         widget = hand.find(f"{D}{name}")
         assert not hand.main(widget.isEnabled), name
         assert "Connect to a controller first" in hand.main(widget.toolTip), name
@@ -181,6 +181,7 @@ def test_send_hold_resume_done(hand: Hand, dock: Any, heard: list[str]) -> None:
     says(hand, "Running")
     hand.wait(lambda: hand.find(f"{D}Progress").value() > 100, 60)
     hand.shot("dock-running")
+    big_digits_follow(hand, dock)
     hand.click(f"{D}Override_feed_10")
     hand.wait(lambda: hand.text(f"{D}Override_feed") == "110 %")
     hand.click(f"{D}Override_coolant_flood")
@@ -198,6 +199,25 @@ def test_send_hold_resume_done(hand: Hand, dock: Any, heard: list[str]) -> None:
     assert heard == [sounds.END]
     hand.click(f"{D}Cancel")
     assert not hand.exists(f"{D}Flow")
+
+
+def big_digits_follow(hand: Hand, dock: Any) -> None:
+    """Open the window of big digits while the job is cut: it shows what the dock shows, large, and cuts nothing off."""
+    hand.click(f"{D}Digits")
+    hand.wait(lambda: hand.exists("CNCStepper_Digits_State"), 5, "the big digits")
+    assert hand.main(dock.digits.isWindow) and hand.text("CNCStepper_Digits_State") == "Running"
+    hand.wait(lambda: hand.text("CNCStepper_Digits_WorkX") == hand.text(f"{D}WorkX"), 5, "the same position")
+    assert "0:" in hand.text("CNCStepper_Digits_Remaining") and hand.text("CNCStepper_Digits_Line")[-1].isdigit()
+    hand.shot("dock-big-digits", dock.digits)
+    for size in ((720, 520), (300, 240)):
+        hand.main(dock.digits.resize, *size)
+        hand.settle()
+        assert hand.main(lambda: all(fits(label) for label in dock.digits.findChildren(QtGui.QLabel)))
+    hand.main(dock.digits.close)
+
+
+def fits(label: Any) -> bool:
+    return label.fontMetrics().boundingRect(label.text()).width() <= label.width()
 
 
 def test_stop_ends_the_job_and_says_how_it_stands(hand: Hand, dock: Any) -> None:
@@ -342,12 +362,29 @@ def test_a_job_is_proven_for_the_zero_that_the_machine_has(
     hand.wait(lambda: "Refused" in hand.text(f"{D}FlowTitle"), 60, "the refusal of a zero too near to the edge")
     hand.click(f"{D}Cancel")
     zero_at(hand, dock, -100.0, 0.0, 0.0)
+    the_outline_is_run(hand, dock)
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the proof")
     hand.click(f"{D}Start")
     says(hand, "Running")
     hand.click(f"{D}Stop")
     hand.wait(lambda: "Stopped" in hand.text(f"{D}FlowTitle"), 20)
+
+
+def the_outline_is_run(hand: Hand, dock: Any) -> None:
+    """Run the outline by its button, as any program: checked, asked for the zero, sent; it cuts nothing."""
+    hand.click(f"{D}Outline")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    assert dock.sending.flow.label == "Pocket job, outline"
+    hand.wait(lambda: start_button().isEnabled())
+    hand.shot("dock-outline")
+    seen: list[Any] = []
+    hand.click(f"{D}Start")
+    hand.wait(lambda: seen.append(dock.link.status) or "Done" in hand.text(f"{D}FlowTitle"), 60, "its end")
+    assert all(status.wpos_mm[2] > -0.01 and not status.spindle_rpm for status in seen)
+    assert dock.link.status.wpos_mm == pytest.approx((-17, -9, 10), abs=0.02)  # 20 by 12 mm less the cutter's radius
+    assert max(status.wpos_mm[0] for status in seen) > 10 and max(status.wpos_mm[1] for status in seen) > 5
+    hand.click(f"{D}Cancel")
 
 
 def start_button() -> Any:
