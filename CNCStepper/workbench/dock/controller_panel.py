@@ -246,16 +246,7 @@ class Panel(KeyboardArea):
         before_a_cut = (self.file_sending.button, self.outline.button)
         positions = (self.position, self.digits_button)
         sections: tuple[list[Any], ...] = (
-            [
-                self.flow,
-                self.job,
-                self.by_line,
-                self.back,
-                *before_a_cut,
-                self.recovery.view,
-                self.position,
-                self.digits_button,
-            ],
+            [self.flow, self.job, self.by_line, self.back, *before_a_cut, self.recovery.view, *positions],
             [widgets.caption(tr("Jog")), self.jog, widgets.row(self.home, self.unlock)],
             [widgets.caption(tr("Overrides")), self.overrides],
             [widgets.caption(tr("Relays")), self.relays],
