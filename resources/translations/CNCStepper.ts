@@ -8955,6 +8955,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Show the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10084,6 +10088,10 @@
         </message>
         <message>
             <source>The tool goes forward again only after it went back.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool in the 3D view over the part as it is cut, with its path behind it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -8955,6 +8955,10 @@
             <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o retoma ali.</translation>
         </message>
         <message>
+            <source>Show the cut</source>
+            <translation>Mostrar o corte</translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation>Mostrar a trajetória</translation>
         </message>
@@ -10085,6 +10089,10 @@
         <message>
             <source>The tool goes forward again only after it went back.</source>
             <translation>A ferramenta só avança de novo depois de ter voltado.</translation>
+        </message>
+        <message>
+            <source>The tool in the 3D view over the part as it is cut, with its path behind it</source>
+            <translation>A ferramenta na vista 3D sobre a peça como está cortada, com seu caminho atrás</translation>
         </message>
         <message>
             <source>The tool is at the end of the cut.</source>

@@ -20,10 +20,12 @@ from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service import connection_client
 from CNCStepper.control.transport import link
 from CNCStepper.errors import MissingPackage
+from CNCStepper.simulation.tip_follower import SAME_MM
 from CNCStepper.workbench import api
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.dock.model.send_steps import STEPS
 from CNCStepper.workbench.services import sounds
+from CNCStepper.workbench.simulation.scene import AT_MOMENT, FINISHED
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
@@ -177,11 +179,13 @@ def test_send_hold_resume_done(hand: Hand, dock: Any, heard: list[str]) -> None:
     hand.shot("dock-zero")
     zeroed(hand)
     assert not hand.exists(f"{D}FlowDetail")
+    hand.click(f"{D}Live")
     hand.click(f"{D}Start")
     says(hand, "Running")
     hand.wait(lambda: hand.find(f"{D}Progress").value() > 100, 60)
     hand.shot("dock-running")
     big_digits_follow(hand, dock)
+    the_cut_is_in_the_view(hand, dock)
     hand.click(f"{D}Override_feed_10")
     hand.wait(lambda: hand.text(f"{D}Override_feed") == "110 %")
     hand.click(f"{D}Override_coolant_flood")
@@ -195,10 +199,34 @@ def test_send_hold_resume_done(hand: Hand, dock: Any, heard: list[str]) -> None:
     hand.wait(lambda: "Done" in hand.text(f"{D}FlowTitle"), 120, "the end of the cut")
     assert "lines are cut" in hand.text(f"{D}FlowDetail")
     says(hand, "Idle")
+    assert hand.main(lambda: shown_part(dock)) == FINISHED
     hand.shot("dock-done")
     assert heard == [sounds.END]
     hand.click(f"{D}Cancel")
     assert not hand.exists(f"{D}Flow")
+    hand.wait(lambda: dock.live.shown is None, 5, "an empty view")
+    hand.click(f"{D}Live")
+
+
+def shown_part(dock: Any) -> int:
+    return int(dock.live.shown._scene._part.whichChild.getValue())
+
+
+def the_cut_is_in_the_view(hand: Hand, dock: Any) -> None:
+    """The part is in the 3D view as it is cut by now, the tool where it is reported, and the path behind it."""
+    hand.wait(lambda: dock.live.shown is not None and dock.live.shown.time_s > 0 and dock.live.shown._scene._tiles, 60)
+    shown = dock.live.shown
+    with hand.watchdog() as dog:
+        begun_s, cut = shown.time_s, dock.link.status.acknowledged
+        hand.wait(lambda: shown.time_s > begun_s + 5 and dock.link.status.acknowledged > cut, 60, "the cut to go on")
+    print(f"while the cut is shown: {dog}")
+    assert dog.max_cpu_ms < LONGEST_MS, dog
+    tip_mm = hand.main(lambda: shown._scene._tool_place.translation.getValue().getValue())
+    assert tip_mm == pytest.approx(shown._path.points_mm[-1], abs=SAME_MM) and len(shown._path.points_mm) > 5
+    assert hand.main(lambda: shown_part(dock)) == AT_MOMENT
+    hand.main(FreeCADGui.SendMsgToActiveView, "ViewFit")
+    hand.main(FreeCADGui.ActiveDocument.ActiveView.viewIsometric)
+    hand.shot("dock-live-cut")
 
 
 def big_digits_follow(hand: Hand, dock: Any) -> None:

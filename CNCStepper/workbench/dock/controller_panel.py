@@ -27,6 +27,7 @@ from CNCStepper.workbench.dock.views.console_view import ConsoleView, LogView
 from CNCStepper.workbench.dock.views.job_buttons_view import JobView, PauseView
 from CNCStepper.workbench.dock.views.jog_view import JogView
 from CNCStepper.workbench.dock.views.keyboard import KeyboardArea
+from CNCStepper.workbench.dock.views.live_view import LiveView
 from CNCStepper.workbench.dock.views.override_view import OverrideView
 from CNCStepper.workbench.dock.views.relay_view import RelayView
 from CNCStepper.workbench.dock.views.retract_view import RetractView
@@ -65,6 +66,7 @@ class Panel(KeyboardArea):
         self.sending = Sending(
             self, self.link, self._show_findings, self.connect_chosen, self.refresh, self.by_line.isChecked
         )
+        self.live = LiveView(self, self.sending)
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
         self.state = StateView(lambda: self.recovery.go_on())
         self.flow = FlowView(self.findings, self.sending.confirm_step, self.sending.away)
@@ -172,6 +174,7 @@ class Panel(KeyboardArea):
             self.sending.take(event)
         self.sending.advance()
         self.outline.advance()
+        self.live.advance(self.link.status)
         self.backing.advance()
         self.recovery.advance()
         mark = (self.link.moment, self.sending.flow.step)
@@ -243,10 +246,10 @@ class Panel(KeyboardArea):
         content = QtGui.QWidget()
         layout = widgets.column(content)
         layout.setContentsMargins(*MARGINS)
-        before_a_cut = (self.file_sending.button, self.outline.button)
-        positions = (self.position, self.digits_button)
+        of_a_job = (self.job, widgets.row(self.by_line, self.live.box), self.back)
+        before_a_cut = (self.file_sending.button, self.outline.button, self.recovery.view)
         sections: tuple[list[Any], ...] = (
-            [self.flow, self.job, self.by_line, self.back, *before_a_cut, self.recovery.view, *positions],
+            [self.flow, *of_a_job, *before_a_cut, self.position, self.digits_button],
             [widgets.caption(tr("Jog")), self.jog, widgets.row(self.home, self.unlock)],
             [widgets.caption(tr("Overrides")), self.overrides],
             [widgets.caption(tr("Relays")), self.relays],

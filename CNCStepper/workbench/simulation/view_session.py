@@ -92,16 +92,20 @@ class Stage:
 
     def restore(self) -> None:
         """Show what was hidden, and look as before; what was deleted or closed meanwhile is left alone."""
+        if self.show_again() and self._view in views_of(self._document):
+            self._view.setCamera(self._camera)
+
+    def show_again(self) -> bool:
+        """Show what was hidden and is still there; return whether the document is."""
         import FreeCAD
 
         if self._document_name not in FreeCAD.listDocuments():
-            return
+            return False
         left = set(self._document.Objects)
         for obj in self._hidden:
             if obj in left:
                 obj.ViewObject.Visibility = True
-        if self._view in views_of(self._document):
-            self._view.setCamera(self._camera)
+        return True
 
 
 def _in_the_way(obj: Any) -> bool:

@@ -7,7 +7,6 @@ from typing import Any
 
 from CNCStepper.job.deferred_fitting import is_on_trial
 from CNCStepper.workbench.features.base import proxy_type
-from CNCStepper.workbench.proving import standby
 from CNCStepper.workbench.services.messages import guarded, polled
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
@@ -15,6 +14,13 @@ from CNCStepper.workbench.viewproviders.stock_display import SHAPED_BY, StockAnd
 from CNCStepper.workbench.viewproviders.turned_stock_display import TURNED_BY, TurnedStock
 
 STOCK = "Stock"  # the one way in which a job is drawn
+
+
+def _prepare_proof() -> None:
+    """Have a process loaded for the first proof; Qt is loaded with that, not with the tree."""
+    from CNCStepper.workbench.proving import standby
+
+    standby.prepare()
 
 
 class ProgramJob(ViewProvider):
@@ -30,7 +36,7 @@ class ProgramJob(ViewProvider):
         self.figure = self.new_figure()
         view.addDisplayMode(self.figure.node, STOCK)
         self._draw()
-        standby.prepare()
+        _prepare_proof()
 
     def new_figure(self) -> Any:
         """Return what draws the stock: it has a `node` and an `update` with the job."""
