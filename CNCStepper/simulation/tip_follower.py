@@ -13,7 +13,7 @@ from CNCStepper.simulation.tip_track import TipTrack
 MOST_ROWS = 256  # that are looked at for one report
 PLACES = np.linspace(0.0, 1.0, 9)  # of a row that are compared with the position
 NEAR_MM = 1.0  # farther away the tool is not on its path: it was led aside
-SAME_MM = 0.05  # of several places as near, the earliest counts
+AS_NEAR_MM = 0.05  # of several places as near, the earliest counts
 MOST_POINTS = 4000  # of a path; when it is full every other point goes
 
 
@@ -46,7 +46,7 @@ class TipFollower:
         nearest_mm = away_mm.min()
         if nearest_mm > NEAR_MM:
             return int(rows[0]), float(moves.begins_s[rows[0]])
-        place = int(np.argmax(away_mm <= nearest_mm + SAME_MM))
+        place = int(np.argmax(away_mm <= nearest_mm + AS_NEAR_MM))
         row = int(rows[place])
         return row, float(moves.begins_s[row] + shares[place] * (moves.ends_s[row] - moves.begins_s[row]))
 
@@ -67,7 +67,7 @@ class ReportedPath:
         """Add a position; return whether the path has changed by that."""
         if not np.isfinite(tip_mm).all():
             return False
-        if self._count and np.abs(self._points[self._count - 1] - tip_mm).max() < SAME_MM:
+        if self._count and np.abs(self._points[self._count - 1] - tip_mm).max() < AS_NEAR_MM:
             return False
         if self._count == MOST_POINTS:
             self._count = MOST_POINTS // 2

@@ -20,7 +20,7 @@ from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service import connection_client
 from CNCStepper.control.transport import link
 from CNCStepper.errors import MissingPackage
-from CNCStepper.simulation.tip_follower import SAME_MM
+from CNCStepper.simulation.tip_follower import AS_NEAR_MM
 from CNCStepper.workbench import api
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.dock.model.send_steps import STEPS
@@ -222,7 +222,7 @@ def the_cut_is_in_the_view(hand: Hand, dock: Any) -> None:
     print(f"while the cut is shown: {dog}")
     assert dog.max_cpu_ms < LONGEST_MS, dog
     tip_mm = hand.main(lambda: shown._scene._tool_place.translation.getValue().getValue())
-    assert tip_mm == pytest.approx(shown._path.points_mm[-1], abs=SAME_MM) and len(shown._path.points_mm) > 5
+    assert tip_mm == pytest.approx(shown._path.points_mm[-1], abs=AS_NEAR_MM) and len(shown._path.points_mm) > 5
     assert hand.main(lambda: shown_part(dock)) == AT_MOMENT
     hand.main(FreeCADGui.SendMsgToActiveView, "ViewFit")
     hand.main(FreeCADGui.ActiveDocument.ActiveView.viewIsometric)

@@ -51,8 +51,8 @@ class OutlineSending:
             self._reading.ask(writer_of(program), lambda text: self._take(program, text))
 
     def _take(self, program: Any, text: str) -> None:
+        from CNCStepper.workbench.document.undo_steps import undo_step
         from CNCStepper.workbench.features.program import job_behind, program_of_text
-        from CNCStepper.workbench.freehand.mode import undo_step
         from CNCStepper.workbench.proving import prove_program
 
         job = job_behind(program)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.simulation.tip_follower import MOST_POINTS, SAME_MM, ReportedPath, TipFollower
+from CNCStepper.simulation.tip_follower import AS_NEAR_MM, MOST_POINTS, ReportedPath, TipFollower
 from CNCStepper.simulation.tip_track import TipTrack
 
 TEXT = "G21 G90\nG0 X0 Y0 Z0\nG1 X10 F600\nG3 X10 Y10 I0 J5\nG1 X0\nG1 Y0\nG1 X10\nM2\n"
@@ -49,4 +49,4 @@ def test_the_reported_path_stays_small_and_keeps_its_begin_and_end() -> None:
     assert MOST_POINTS // 2 <= len(path.points_mm) <= MOST_POINTS
     assert path.points_mm[-1] == pytest.approx(places[-1], abs=1e-3)
     assert np.abs(path.points_mm[0] - places[0]).max() < 1
-    assert not path.add(places[-1] + SAME_MM / 2) and not path.add(np.array([np.nan, 0, 0]))
+    assert not path.add(places[-1] + AS_NEAR_MM / 2) and not path.add(np.array([np.nan, 0, 0]))
