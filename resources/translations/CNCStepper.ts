@@ -4119,7 +4119,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a copy of the marked row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a row behind the marked one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a rule after the marked one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a tool of your own library, or keep the marked one there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4151,7 +4163,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add the rows of a file: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add the tools of FreeCAD's library or of a tool table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add to job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4300,6 +4320,10 @@
         </message>
         <message>
             <source>Arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc voltage</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4596,6 +4620,14 @@
         </message>
         <message>
             <source>Canned cycles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Carbide: feed a tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Carbide: surface speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4967,6 +4999,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cut charts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut charts (*.toml *.cfg)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4988,6 +5024,10 @@
         </message>
         <message>
             <source>Cut length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5055,6 +5095,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Delete the marked rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Delete the marked rule</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5076,6 +5120,10 @@
         </message>
         <message>
             <source>Depth per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth per pass in diameters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5315,6 +5363,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Duplicate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Duplicate operations</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5475,7 +5527,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Export</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Export job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Export…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6135,6 +6195,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>HSS: feed a tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>HSS: surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Half</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6168,6 +6236,10 @@
         </message>
         <message>
             <source>Height below the notch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height control</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6635,6 +6707,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Import</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import a drawing first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6887,11 +6963,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Keep the marked tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Keep the table as your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Keeps the text where it came from (Ctrl+S); a job's is kept beside it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kerf by feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7064,6 +7152,10 @@
         </message>
         <message>
             <source>Lever</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Library…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7319,6 +7411,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Materials</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Meaning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7495,6 +7591,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Name in jobs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Name of the profile: letters of a to z, digits, - and _</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7596,6 +7696,14 @@
         </message>
         <message>
             <source>Nose radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Not all of the file was taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Not all was written</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8015,6 +8123,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pause at the end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pause between pulses</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8179,6 +8291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Power (S)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Power on before the tool moves; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8192,6 +8308,10 @@
         </message>
         <message>
             <source>Preset speeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pressure</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8272,6 +8392,14 @@
         </message>
         <message>
             <source>Programs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Puddle jump delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Puddle jump height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8711,6 +8839,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Save or revert this chart first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Save program as…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8724,6 +8856,10 @@
         </message>
         <message>
             <source>Save these rules as a template of the shop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save, and add the marked tools to the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8748,6 +8884,10 @@
         </message>
         <message>
             <source>Scribe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Search</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8903,6 +9043,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Share of the feed straight down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8960,6 +9104,10 @@
         </message>
         <message>
             <source>Show the tool's path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show what is saved</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9080,6 +9228,10 @@
         </message>
         <message>
             <source>Sounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Source</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9911,6 +10063,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The planned time of its own moves; the way to them and the tool change are not in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The planned times of the checked operations, without tool changes and the ways between</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10211,6 +10371,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>These tables have changes that are not saved: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Thesis table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10319,6 +10483,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Title</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>To</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10348,6 +10516,10 @@
         </message>
         <message>
             <source>To the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Together {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10387,7 +10559,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tools and materials</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tools, materials and cut charts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10472,6 +10652,18 @@
         </message>
         <message>
             <source>Turning tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning: cutting force</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning: elasticity</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning: exponent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10867,6 +11059,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Width per pass in diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wing rib: out of foam by a hot wire</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10916,6 +11112,10 @@
         </message>
         <message>
             <source>Write the differences…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the marked rows, or all, into a file: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11399,6 +11599,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>diameter, least and most: 5 0.03 0.07; 8 0.05 0.09</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>digital differential analyser</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11452,6 +11656,10 @@
         </message>
         <message>
             <source>feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>feed and kerf: 150 1.8; 300 1.2</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11623,6 +11831,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>least and most: 180 500</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leather</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11768,6 +11980,10 @@
         </message>
         <message>
             <source>no switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12411,6 +12627,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is tool {1} of the library</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is written and read back.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12512,6 +12732,10 @@
         </message>
         <message>
             <source>{0} tools imported</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} warnings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15411,6 +15635,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{path}' is no file of this library</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{path}' is no tool file that is known</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15423,7 +15651,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{text}' is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{text}' is no tool of a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{text}' is no whole number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16140,6 +16376,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Marlin would read G91 or G90: leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Materials of the user's own, and shipped ones that the user has changed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17592,6 +17832,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>another connection is using the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>another row has {key} {value} already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28099,6 +28343,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} rows are for another process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} rules of style are not applied, because of their selectors: {names}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28311,6 +28559,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{key} is missing, and only the circles of a drawing have one of their own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28332,6 +28584,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{key} must be a number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} must be one of: {choices}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29288,6 +29544,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
     </context>
     <context>
+        <name>CNCStepper_Library</name>
+        <message>
+            <source>Tools and materials…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Your own tools, materials and cut charts: search, edit, import and export them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Machines</name>
         <message>
             <source>Machines…</source>
@@ -29394,6 +29661,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Rectangular pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_SaveProgram</name>
+        <message>
+            <source>Save program…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Saves the program of the job as a file for the machine</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
