@@ -12,7 +12,7 @@ from CNCStepper.quantities import Bounds, ChipLoadOr0, Coordinate, SpeedOr0, Tim
 
 FEEDS = "Feed and speed"
 SurfaceSpeedOr0 = Annotated[float, Bounds("surface_speed", zero=True)]
-DEPTH_OF_CUT = Parameter(CUT, "Depth of cut ap", "The depth of one pass at most, on the radius", 1.0)
+DEPTH_OF_CUT = Parameter(CUT, "Depth per pass", "Depth of cut (ap): of one pass at most, on the radius", 1.0)
 TO_LEAVE = Parameter(FINISH, "Stock to leave", "Left on the profile, normal to it, for another operation")
 TO_DIAMETER = Parameter(CUT, "To diameter", "The diameter at which the cut ends; 0: over the axis")
 PECK = Parameter(CUT, "Peck", "How deep one peck goes; 0: in one go")

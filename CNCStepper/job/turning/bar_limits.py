@@ -41,7 +41,7 @@ def _face(operation: Any, job: TurningJob) -> None:
 def _profile(operation: Any, job: TurningJob) -> None:
     points, inside = job.curves[operation.profile].points(SAME_MM * 100), job.tools[operation.tool].is_inside
     name = Text("the profile '{name}'", name=operation.profile)
-    _require_free(float(points[:, 0].min()), name, job, inside)
+    _require_free(float(points[:, 0].min()), name, job, inside, code="profile-chuck")
     _require_behind_end("profile-outside", float(points[:, 0].min()), job, name)
     _require_narrow("profile-outside", "the profile is wider than the bar", 2 * float(points[:, 1].max()), job)
 
@@ -80,14 +80,21 @@ def _thread(operation: Any, job: TurningJob) -> None:
     _require_narrow("thread-wide", "the thread is wider than the bar", widest_mm, job)
 
 
-def _require_free(z_mm: float, what: str, job: TurningJob, is_inside: bool = False, more_mm: float = 0.0) -> None:
+def _require_free(
+    z_mm: float,
+    what: str,
+    job: TurningJob,
+    is_inside: bool = False,
+    more_mm: float = 0.0,
+    code: str = "chuck-reach",
+) -> None:
     """Raise CycleError for a place in the chuck or between its jaws; more_mm: how far the tool goes beyond its key."""
     jaw_mm = 0.0 if is_inside else job.chuck.jaw_mm
     end_mm = jaw_mm - job.stock.length_mm
     if z_mm < end_mm - SAME_MM:
         longer_mm = job.stock.length_mm + end_mm - z_mm
         raise CycleError(
-            "chuck-reach",
+            code,
             Text("{what} reaches into the chuck or its jaws", what=what),
             value=f"z {z_mm + more_mm:g} mm",
             limit=f"z {end_mm + more_mm:g} mm",

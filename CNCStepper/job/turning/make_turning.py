@@ -21,6 +21,7 @@ from CNCStepper.errors import CNCStepperError, CycleError, JobError, Place
 from CNCStepper.gcode.dialects import Dialect, dialect
 from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
 from CNCStepper.job.turning.bar_limits import require_in_bar
+from CNCStepper.job.turning.cutting_warnings import cutting_warnings
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.turning_tool import TurningTool
@@ -101,7 +102,7 @@ def turned_moves(job: TurningJob, machine: Machine) -> tuple[Toolpath, list[Turn
     begin = Start.at_zero() if dialect(machine.language()).starts_at_work_zero else Start()
     table = TableBuilder(begin, State(work_system=job.work_offset, plane="ZX"))
     answers = [
-        _cut(number, operation, setup, table, placement, job)
+        _cut(number, operation, setup, table, placement, job, machine)
         for number, (operation, setup) in enumerate(_setups(job, machine), start=1)
     ]
     return table.toolpath(), answers
@@ -114,6 +115,7 @@ def _cut(
     table: TableBuilder,
     placement: Placement,
     job: TurningJob,
+    machine: Machine,
 ) -> TurningAnswer:
     flood, mist = job.coolant == "flood", job.coolant == "mist"
     left = isinstance(operation, TurnThread) and thread_form(operation).left
@@ -127,6 +129,7 @@ def _cut(
         if number == 1 and math.isnan(table.position_mm[0]):
             table.rapid(placement.program(*job.start_zr))
         answer = cut(number, operation, setup, moves)
+        answer = replace(answer, warnings=(*answer.warnings, *cutting_warnings(answer, job, machine)))
     except CNCStepperError as error:
         if error.place:
             raise
