@@ -112,6 +112,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along Z, from there towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along a line or arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -204,11 +208,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At its end towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At the end face; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At the shoulder; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -233,6 +249,22 @@
         </message>
         <message>
             <source>Before zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin Chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin Fillet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -412,6 +444,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cone By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone by</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Constant Surface Speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -584,6 +628,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cutting hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cycle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -608,7 +656,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Depth of cut ap</source>
+            <source>Depth of cut (ap): of one pass at most, on the radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -720,7 +768,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>End Chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End Fillet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1053,6 +1125,10 @@
         </message>
         <message>
             <source>Greatest feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1480,6 +1556,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its two diameters, or an angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jaw Diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1533,6 +1613,10 @@
         </message>
         <message>
             <source>Kind</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Last Pass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1617,6 +1701,10 @@
         </message>
         <message>
             <source>Leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2892,10 +2980,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of the first pass</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3005,6 +3089,10 @@
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The force of all jaws, in newtons; 0: not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3513,6 +3601,14 @@
         </message>
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the cone begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the cone begins; 0: at a tip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4235,6 +4331,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along Z, from there towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along Z, mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4363,7 +4463,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At its end towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At the end face; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4372,6 +4480,10 @@
         </message>
         <message>
             <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At the shoulder; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4456,6 +4568,14 @@
         </message>
         <message>
             <source>Begin so much earlier on the same cut, so that no ridge stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4771,6 +4891,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone by</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Connect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4995,6 +5131,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cutting hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cutting table A</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5063,7 +5203,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Depth of cut ap</source>
+            <source>Depth of cut (ap): of one pass at most, on the radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5387,7 +5527,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>End diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>End the search with the best so far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6084,6 +6236,10 @@
         </message>
         <message>
             <source>Grey values are from the chart; typed values replace them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6787,6 +6943,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its two diameters, or an angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jaw diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6968,6 +7128,10 @@
         </message>
         <message>
             <source>Leave out of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9467,10 +9631,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of the first pass</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9596,6 +9756,10 @@
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The force of all jaws, in newtons; 0: not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10615,6 +10779,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the cone begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the cone begins; 0: at a tip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the copies lie</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11032,6 +11204,10 @@
         </message>
         <message>
             <source>aluminium 6061</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11823,6 +11999,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>parting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>parting and grooving</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12184,6 +12364,10 @@
         </message>
         <message>
             <source>turning outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two diameters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13718,6 +13902,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a boring bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a bulge is not that of an arc in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13771,6 +13959,10 @@
         </message>
         <message>
             <source>a corner is either rounded (A) or broken (C)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a corner of the cone has {name}_chamfer_mm or {name}_fillet_mm, not both</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14186,6 +14378,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a parting blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14346,6 +14542,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a right-hand turning tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rotation of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14458,6 +14658,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a threading tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14495,6 +14699,10 @@
         </message>
         <message>
             <source>a transform must not collapse the curve</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a turning or boring tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17494,30 +17702,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>kind "turning" or "boring"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "boring"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "drill"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "parting"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "threading"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "turning", hand = "right"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17875,6 +18059,10 @@
         </message>
         <message>
             <source>lower ap_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19270,6 +19458,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>radius at its end 0 mm or more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>radius {0} mm at z {1} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20611,6 +20803,14 @@
         </message>
         <message>
             <source>the computer was late with a pulse and stopped after {written} writes, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cone ends beyond the axis: angle_deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cone is wider than the bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22903,6 +23103,10 @@
         </message>
         <message>
             <source>the spindle speed is out of the spindle's range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the spindle turns at {rpm:.0f} rpm, the nearest of the machine's speeds to {wanted:.0f} rpm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26754,6 +26958,17 @@
         </message>
         <message>
             <source>Turn roughing</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnTaper</name>
+        <message>
+            <source>Turn cone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turns a cone by its diameters or its angle, without a profile</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

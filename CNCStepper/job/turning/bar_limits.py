@@ -14,8 +14,9 @@ from collections.abc import Callable
 from typing import Any
 
 from CNCStepper.cycles.turning.turn_thread import thread_cut
-from CNCStepper.cycles.turning.turning_operation import ALONG_PROFILES, TurnDrill, TurningOperation
+from CNCStepper.cycles.turning.turning_operation import BY_EDGE, TurnDrill, TurningOperation
 from CNCStepper.errors import CycleError, Text
+from CNCStepper.job.turning.taper_profile import profile_of, taper_profile
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.tolerances import SAME_MM
 
@@ -26,7 +27,7 @@ def require_in_bar(number: int, job: TurningJob, bore_mm: float) -> None:
     """Raise CycleError where an operation (from 1) of a job leaves the bar; bore_mm: of what is hollow before it."""
     operation = job.operation[number - 1]
     CHECKS[operation.cycle](operation, job)
-    if operation.cycle in ALONG_PROFILES and job.tools[operation.tool].is_inside and bore_mm > 0:
+    if operation.cycle in BY_EDGE and job.tools[operation.tool].is_inside and bore_mm > 0:
         _require_hole(operation, job, bore_mm, _hole_depth_mm(job.operation[: number - 1], job))
 
 
@@ -36,6 +37,14 @@ def _face(operation: Any, job: TurningJob) -> None:
         what, value = "to_diameter_mm leaves nothing to face", f"{operation.to_diameter_mm:g} mm"
         limit = Text("below {most:g} mm", most=job.stock.diameter_mm)
         raise CycleError("face-diameter", what, value=value, limit=limit, advice="end nearer to the axis")
+
+
+def _taper(operation: Any, job: TurningJob) -> None:
+    inside = job.tools[operation.tool].is_inside
+    _require_free(operation.z_mm - operation.length_mm, "length_mm", job, inside)
+    _require_behind_end("taper-outside", operation.z_mm - operation.length_mm, job)
+    widest_mm = 2 * float(taper_profile(operation, inside).points(SAME_MM * 100)[:, 1].max())
+    _require_narrow("taper-wide", "the cone is wider than the bar", widest_mm, job)
 
 
 def _profile(operation: Any, job: TurningJob) -> None:
@@ -119,7 +128,9 @@ def _require_narrow(code: str, what: str, diameter_mm: float, job: TurningJob) -
 
 def _require_hole(operation: Any, job: TurningJob, bore_mm: float, deep_mm: float) -> None:
     """Raise CycleError for a bore that is narrower or deeper than the hole into which the boring bar goes."""
-    points = job.curves[operation.profile].points(SAME_MM * 100)
+    profile = profile_of(operation, job)
+    assert profile is not None
+    points = profile.points(SAME_MM * 100)
     widest_mm, lowest_mm = 2 * float(points[:, 1].max()), float(points[:, 0].min())
     if widest_mm <= bore_mm:
         what, limit = "the profile lies in the hole: there is nothing to bore", Text("above {bore:g} mm", bore=bore_mm)
@@ -146,5 +157,6 @@ CHECKS: dict[str, Callable[[Any, TurningJob], None]] = {
     "turn_groove": _groove,
     "turn_part": _part,
     "turn_rough": _profile,
+    "turn_taper": _taper,
     "turn_thread": _thread,
 }

@@ -12,7 +12,7 @@ from CNCStepper.machine.materials import material
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.turning_forces import Holding, TurningCut, turning_remarks
 
-ROUGHING = ("turn_bore", "turn_face", "turn_rough")  # the cycles whose depth of cut is known
+ROUGHING = ("turn_bore", "turn_face", "turn_rough", "turn_taper")  # the cycles whose depth of cut is known
 SAME_RPM = 0.5
 
 
@@ -23,7 +23,7 @@ def cutting_warnings(answer: TurningAnswer, job: TurningJob, machine: Machine) -
     """
     if not job.material or answer.cycle not in ROUGHING:
         return ()
-    figures, is_along = answer.figures, answer.cycle == "turn_rough" and not answer.inside
+    figures, is_along = answer.figures, answer.cycle in ("turn_rough", "turn_taper") and not answer.inside
     stickout_mm = job.stock.length_mm if is_along else 0.0
     sizes = (job.stock.diameter_mm, figures["ap_mm"], figures["feed_mm_rev"], figures["rpm"])
     cut = TurningCut(material(job.material).turning_data(), *sizes)
