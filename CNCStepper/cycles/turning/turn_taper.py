@@ -10,6 +10,7 @@ r"""A cone without a drawing: its profile from two diameters or an angle, roughe
 from __future__ import annotations
 
 from math import radians, tan
+from typing import Any
 
 from CNCStepper.cycles.turning.turn_finish import finish
 from CNCStepper.cycles.turning.turn_rough import rough
@@ -23,7 +24,7 @@ def taper(operation: TurnTaper, setup: TurningSetup, moves: TurningMoves) -> dic
 
     Raises CycleError before the first move.
     """
-    shared = {"tool": operation.tool, "profile": "taper", "clearance_mm": operation.clearance_mm}
+    shared: dict[str, Any] = {"tool": operation.tool, "profile": "taper", "clearance_mm": operation.clearance_mm}
     last_mm = operation.last_pass_mm
     roughing = TurnRough(cycle="turn_rough", ap_mm=operation.ap_mm, stock_to_leave_mm=last_mm, **shared)
     figures = rough(roughing, setup, moves)

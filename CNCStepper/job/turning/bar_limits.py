@@ -13,10 +13,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from CNCStepper.cycles.turning.turn_taper import end_radius_mm
 from CNCStepper.cycles.turning.turn_thread import thread_cut
 from CNCStepper.cycles.turning.turning_operation import BY_EDGE, TurnDrill, TurningOperation
 from CNCStepper.errors import CycleError, Text
-from CNCStepper.job.turning.taper_profile import profile_of, taper_profile
+from CNCStepper.job.turning.taper_profile import profile_of
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.tolerances import SAME_MM
 
@@ -43,7 +44,7 @@ def _taper(operation: Any, job: TurningJob) -> None:
     inside = job.tools[operation.tool].is_inside
     _require_free(operation.z_mm - operation.length_mm, "length_mm", job, inside)
     _require_behind_end("taper-outside", operation.z_mm - operation.length_mm, job)
-    widest_mm = 2 * float(taper_profile(operation, inside).points(SAME_MM * 100)[:, 1].max())
+    widest_mm = max(operation.diameter_mm, 2 * end_radius_mm(operation))
     _require_narrow("taper-wide", "the cone is wider than the bar", widest_mm, job)
 
 

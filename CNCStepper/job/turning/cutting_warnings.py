@@ -13,7 +13,7 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.turning_forces import Holding, TurningCut, turning_remarks
 
 ROUGHING = ("turn_bore", "turn_face", "turn_rough", "turn_taper")  # the cycles whose depth of cut is known
-SAME_RPM = 0.5
+SHOWN_RPM = 0.5  # speeds are shown in whole numbers
 
 
 def cutting_warnings(answer: TurningAnswer, job: TurningJob, machine: Machine) -> tuple[str, ...]:
@@ -38,7 +38,7 @@ def preset_speed_warnings(
     wanted = operation.spindle_rpm or (
         0.0 if operation.constant_surface_speed else job.tools[operation.tool].spindle_rpm
     )
-    if not machine.spindle.preset_rpm or not wanted or abs(wanted - rpm) <= SAME_RPM:
+    if not machine.spindle.preset_rpm or not wanted or abs(wanted - rpm) <= SHOWN_RPM:
         return ()
     what = "the spindle turns at {rpm:.0f} rpm, the nearest of the machine's speeds to {wanted:.0f} rpm"
     return (Text(what, rpm=rpm, wanted=wanted),)

@@ -54,7 +54,7 @@ def test_a_cone_by_its_angle_is_that_by_its_diameters(canned: bool) -> None:
     machine = load_machine("linuxcnc-lathe")
     by_angle = CONE | {"by": "angle", "angle_deg": 11.309932474020215}
     texts = [make_turning(job_of(one, canned=canned), machine)[0].program for one in (BY_DIAMETERS, by_angle)]
-    assert texts[0] == texts[1] and (not canned or "G71" in texts[0] and "G70" in texts[0])
+    assert texts[0] == texts[1] and (not canned or ("G71" in texts[0] and "G70" in texts[0]))
 
 
 def test_a_cone_in_a_bore_narrows_towards_the_chuck(tmp_path: Path) -> None:
