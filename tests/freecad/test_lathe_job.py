@@ -93,13 +93,12 @@ def whole(document: Any) -> Any:
     api.add_operation(job, "turn_face", tool=turning)
     api.add_operation(job, "turn_rough", outside, tool=turning)
     api.add_operation(job, "turn_finish", outside, tool=turning)
-    cone = {"diameter_mm": 20, "end_diameter_mm": 28, "length_mm": 15}
-    api.add_operation(job, "turn_taper", tool=turning, **cone).Active = False
     api.add_operation(job, "turn_drill", tool=drill)
     api.add_operation(job, "turn_bore", inside, tool=bar, ap_mm=0.5)
     api.add_operation(job, "turn_thread", tool=threading, thread="M30x1.5", length_mm=15, pull_out_mm=1)
     api.add_operation(job, "turn_groove", tool=blade, z_mm=-25, width_mm=3, diameter_mm=26, top_diameter_mm=30)
     api.add_operation(job, "turn_part", tool=blade, z_mm=-45)
+    api.add_operation(job, "turn_taper", tool=turning, diameter_mm=20, end_diameter_mm=28, length_mm=15)
     document.recompute()
     return job
 
