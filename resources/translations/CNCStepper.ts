@@ -4655,6 +4655,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Big digits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Big digits…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Blade offset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5263,6 +5271,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Depth, from above without the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Designation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5399,6 +5411,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag a frame to zoom into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5472,6 +5488,10 @@
         </message>
         <message>
             <source>Drive (steps per mm follow from it)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drive round the job in air, at its safe height and without power, before the first cut.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6152,6 +6172,10 @@
         </message>
         <message>
             <source>From tooth to tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From where the part is looked at, and how near; the mouse turns and moves it as ever</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6971,6 +6995,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Isometric</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Isosceles triangle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6980,6 +7008,10 @@
         </message>
         <message>
             <source>It is cut last already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7316,6 +7348,10 @@
         </message>
         <message>
             <source>Line spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8407,6 +8443,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Positions, state and remaining time in a window of their own, to be read across the room</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8759,6 +8799,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Remaining {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Remnants</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8924,6 +8968,10 @@
         </message>
         <message>
             <source>Rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Run the outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9203,11 +9251,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Show all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show how far the job came when the link broke, and restart it there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Show how far the last unfinished job came, and restart it there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show the cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10131,6 +10187,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The outline is run only while the machine is idle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The outline seen from above, or the faces or the section at a height</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10352,6 +10412,10 @@
         </message>
         <message>
             <source>The tool goes forward again only after it went back.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool in the 3D view over the part as it is cut, with its path behind it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10851,6 +10915,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>View</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Virtual grbl (no machine)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11283,6 +11351,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>XY, from above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Y times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11319,11 +11391,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>ZY, from the side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Zero's place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Zip with packages ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Zoom in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Zoom out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12864,6 +12948,10 @@
         </message>
         <message>
             <source>{0}, line {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}, outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17047,6 +17135,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a lathe's tool has no outline over the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a lead of kind 'arc' needs radius_mm, and no length_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17652,6 +17744,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a whole number from 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a wire has no height above the part at which it could drive round it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18616,6 +18712,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>choose another process in the job, or delete the operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose another program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20944,6 +21044,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>look at the network of the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at the simulation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
