@@ -17,14 +17,6 @@ from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPER
 from window_helpers.hand import Hand
 
 PANEL = "CNCStepper_Panel_"
-OTHERS = {  # commands beside those of the shaft, and what each follows
-    "CNCStepper_TurnFace": "",
-    "CNCStepper_TurnGroove": "",
-    "CNCStepper_TurnPart": "",
-    "CNCStepper_TurnDrill": "",
-    "CNCStepper_TurnBore": "Profile",
-    "CNCStepper_TurnThread": "",
-}
 
 
 def the(kind: str) -> Any:
@@ -100,14 +92,6 @@ def test_a_shaft_by_mouse_and_keyboard(hand: Hand) -> None:
     assert hand.main(lambda: api.program_text(job)) == hand.main(text_of_core, job)
     assert hand.main(lambda: the("TurnFinish").Drawings[0][0].Label) == "Profile"
     hand.shot("lathe-4-tree")
-    for command, followed in OTHERS.items():
-        begin(hand, command, followed)
-        hand.click(f"{PANEL}cancel")
-        hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
-    assert hand.main(lambda: [proxy_type(each) for each in job.Operations]) == [
-        "CNCStepper_TurnRough",
-        "CNCStepper_TurnFinish",
-    ]
     hand.undo()
     hand.wait(lambda: len(job.Operations) == 1, 10, "the finishing to be gone")
 

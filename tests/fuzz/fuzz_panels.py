@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Random clicks, keys and values over every panel: no traceback, no frozen window, no bad program, undo gives all back.
 
-A walk has 100 steps: every run of the window tests takes one, `make monkey` 200 of them. A failed walk has its seed in
-its name: `make monkey STEPS=100 SEED=n` takes it again.
+A walk has 100 steps; `make monkey` takes 200 of them. A failed walk has its seed in its name: `make monkey STEPS=100
+SEED=n` takes it again.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from CNCStepper.workbench.features.catalogue import OPERATIONS
 from window_helpers.hand import Hand
 from window_helpers.monkey import Monkey
 
-STEPS = int(os.environ.get("CNCSTEPPER_MONKEY_STEPS", "100"))
+STEPS = int(os.environ.get("CNCSTEPPER_MONKEY_STEPS", "1000"))
 FIRST_SEED = int(os.environ.get("CNCSTEPPER_MONKEY_SEED", "1"))
 STEPS_A_WALK = 100
 COMPUTED = {"program"}
