@@ -22,7 +22,7 @@ from CNCStepper.machine.files.profile_files import SUFFIX
 from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.calculation.remake_beside import DONE, RemakeBeside
-from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.document import targets, undo_steps
 from CNCStepper.workbench.document.template_jobs import TemplateQuestion, asked_of, made, new_template
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.drawings.drawing import path_of
@@ -287,7 +287,7 @@ class TemplatePanel:
             self._close()
             return
         job = document.getObject(self.job.itemData(self.job.currentIndex())) if self.job.currentIndex() else None
-        document.openTransaction(tr("Template"))
+        undo_steps.begin(document, tr("Template"))
         self.work.say(tr("Making the job…"))
         self.work.begin()
         self._making = made(self.drawing, answer, job)
