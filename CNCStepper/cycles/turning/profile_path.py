@@ -33,9 +33,10 @@ class ProfilePath:
         self.setup, self.moves, self.profile = setup, moves, profile
         self.nose_mm = setup.tool.nose_mm
         self.distance_mm = self.nose_mm + operation.stock_to_leave_mm
-        self.top_mm = stock_top_mm(setup, moves.side) + self.nose_mm
+        self.raw_mm = stock_top_mm(setup, moves.side)
+        self.top_mm = self.raw_mm + self.nose_mm
         self.safe_mm = self.top_mm + clear_of_bore(operation.clearance_mm, setup, moves.side)
-        self.path = centre_path(profile, self.distance_mm, self.safe_mm)
+        self.path = centre_path(profile, self.distance_mm, self.safe_mm, self.raw_mm)
         self.front_mm = max(setup.face_mm, float(profile.xy[0, 0])) + self.nose_mm + operation.clearance_mm
         front, back = (angle * moves.side for angle in setup.tool.edges_deg)
         self.leave_deg = 60.0 if setup.tool.is_round else (front + back) / 2
