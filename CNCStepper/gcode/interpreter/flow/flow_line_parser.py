@@ -21,7 +21,7 @@ from CNCStepper.gcode.syntax.expressions import Scanner
 from CNCStepper.gcode.syntax.words import pack, split_line
 
 _LEADS = re.compile(r"[ \t]*/?[ \t]*(?:N[0-9. \t]*)?(?:O|M[ \t0.+]*9[ \t]*[89](?![0-9])|M[ \t]*[#\[])", re.IGNORECASE)
-_PROFILE = re.compile(r"G[ \t]*7[ \t]*[0-2]", re.IGNORECASE)
+_PROFILE = re.compile(r"G[ \t]*7[ \t]*[0-3]", re.IGNORECASE)
 _COMMENTS = re.compile(r"\([^)\r\n]*\)?|;[^\r\n]*")
 _BEYOND_WORDS = re.compile(
     r"[#\[]|(?:^|[\r\n])[ \t]*/?[ \t]*(?:N[0-9. \t]*)?(?:O|M[ \t0.+]*9[ \t]*[89])", re.IGNORECASE
@@ -113,7 +113,7 @@ def leads(text: str) -> bool:
 
 
 def has_profile(text: str) -> bool:
-    """Whether a line may be a cycle whose profile is a subroutine: G70 to G72."""
+    """Whether a line may be a cycle whose profile is in other lines: G70 to G73."""
     return _PROFILE.search(text) is not None
 
 
