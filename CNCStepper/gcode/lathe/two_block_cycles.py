@@ -29,9 +29,9 @@ from CNCStepper.gcode.lathe.roughing_and_finishing import NO_POCKETS, Turning
 from CNCStepper.gcode.lathe.threading import MOST_PASSES, begin_thread, feed_of_pitch, synchronise
 from CNCStepper.gcode.lathe.turned_profile import Segment
 from CNCStepper.toolpath import LINE, RAPID
+from CNCStepper.units import LAST_DIGIT
 
 FINISHING, ALONG_X, REPEATED, THREAD = "G70", "G72", "G73", "G76"
-LAST_DIGIT = {"mm": 0.001, "inch": 0.0001}  # of numbers without a point, in units of the text
 MOST_REPEATS = 1000  # passes of G73
 
 
@@ -96,8 +96,8 @@ def _along_profile(block: Block, name: str, words: dict[str, float]) -> None:
     block.numbered.read(first, last, model, reader.block)
     model.position = started
     if len(reader.segments) < 2:
-        what = "the profile has no more than one move"
-        raise ProgramError("profile", what, value=f"P{first} Q{last}", advice="name its first and its last block")
+        short = "the profile has no more than one move"
+        raise ProgramError("profile", short, value=f"P{first} Q{last}", advice="name its first and its last block")
     model.change(arc_centres="absolute")
     leave = complex(words.get("W", 0.0), words.get("U", 0.0) / (2.0 if model.diameter else 1.0))
     tool = CycleTool(block)
