@@ -261,10 +261,6 @@ class BlockEmitter:
         if not self.dialect.feed_is_setting:  # else no operator changes it meanwhile
             self._feed = ""
 
-    def forget_feed(self) -> None:
-        """Let the next cut write its F, since a lead is in force as one."""
-        self._feed = ""
-
     def begin_at(self, at: Counts) -> None:
         """Set the machine's position at the program's begin; the first move names its axes all the same."""
         is_known = self.dialect.starts_at_work_zero and not any(at)  # zero, or an axis that the language lacks

@@ -97,44 +97,6 @@ def test_a_random_part_is_the_same_in_every_language(seed):
     assert_same_moves(expected, made(job, "fanuc-lathe")[1])  # Mach's has a digit more
 
 
-@pytest.mark.parametrize("seed", SEEDS[:3])
-def test_cycles_in_two_blocks_cut_the_part_of_the_moves(seed, tmp_path):
-    job = random_job(seed, "linuxcnc-lathe", **WAYS[seed % len(WAYS)]).model_copy(update={"x_is": "diameter"})
-    volumes_mm3, texts = [], []
-    for canned in (False, True):
-        asked, machine = job.model_copy(update={"canned": canned}), machine_of("fanuc-lathe")
-        programs = make_turning(asked, machine)
-        (proven,) = prove_turning(asked, machine, programs, tmp_path)
-        assert [str(found) for found in proven.verdict.findings if found.severity != "info"] == []
-        volumes_mm3.append(proven.verdict.report()["volume_mm3"])
-        texts.append(programs[0].program)
-    assert volumes_mm3[1] == pytest.approx(volumes_mm3[0], rel=2e-5)
-    assert ("G71 P101" in texts[1] or job.operation[-2].along == "x") and "P101" not in texts[0]
-
-
-def test_a_finishing_pass_along_the_roughed_path_is_g70():
-    operation = {"tool": 1, "profile": "part", "spindle_rpm": 800}
-    rough = {**operation, "cycle": "turn_rough", "ap_mm": 2, "stock_to_leave_mm": 0.0}
-    content = tomllib.loads(SURFACE) | {"operation": [rough, {**operation, "cycle": "turn_finish"}], "canned": True}
-    text, path = made(turning_job_of(content, Path("job.toml")), "fanuc-lathe")
-    lines = text.splitlines()
-    assert "G71 U1.667 R0.3" in lines and "G70 P101 Q105" in lines
-    expanded = made(turning_job_of(content | {"canned": False}, Path("job.toml")), "fanuc-lathe")[1]
-    assert path.table().end[:, 0].min() == pytest.approx(expanded.table().end[:, 0].min())
-
-
-def test_a_cylindrical_thread_is_g76_in_two_blocks():
-    content = tomllib.loads(THREAD) | {"canned": True, "x_is": "diameter", "start": [64, 8]}
-    content["profile"] = [{"name": "part", "points": [[24, 0], [24, -80]]}]
-    del content["operation"][0]["taper_deg"], content["operation"][0]["diameter_mm"]
-    text, path = made(turning_job_of(content, Path("job.toml")), "fanuc-lathe")
-    first, second = (line for line in text.splitlines() if line.startswith("G76"))
-    assert first.split()[1][-2:] == "60" and second.endswith("F3.") and "Q300" in second
-    plain = made(turning_job_of(content | {"canned": False}, Path("job.toml")), "fanuc-lathe")[1]
-    assert path.table().end[:, 0].min() == pytest.approx(plain.table().end[:, 0].min(), abs=1e-3)
-    assert "G32" not in text and {event.text for event in path.events if event.kind == "synchronised"} == {"G76"}
-
-
 def test_a_program_for_fanuc_is_proven_as_any_other(tmp_path):
     job, machine = random_job(4, "linuxcnc-lathe").model_copy(update={"x_is": "diameter"}), machine_of("fanuc-lathe")
     (proven,) = prove_turning(job, machine, make_turning(job, machine), tmp_path)
