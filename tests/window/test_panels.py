@@ -172,6 +172,40 @@ def test_cancel_leaves_all_as_it_was(hand: Hand, bench: Bench, leave: str) -> No
     assert hand.main(lambda: bench.document.UndoCount) == 0
 
 
+@pytest.mark.parametrize("leave", [OK, CANCEL])
+def test_what_follows_an_undo_in_the_panel_is_undone_too(hand: Hand, bench: Bench, leave: str) -> None:
+    before = hand.main(bench.values)
+    bench.open(bench.pocket)
+    hand.fill(DEPTH, "7")
+    hand.wait(lambda: bench.pocket.Depth.Value == 7)
+    hand.click("CNCStepper_Panel_group_operation")  # the keyboard is in no line, whose own undo that would be
+    hand.undo()
+    hand.wait(lambda: bench.pocket.Depth.Value == 10)
+    hand.click("CNCStepper_Panel_group_operation")
+    hand.wait(lambda: hand_box(DEPTH).isVisible() and hand_box(DEPTH).text() == "10.00 mm", what="the depth as it was")
+    hand.fill(DEPTH, "8")
+    hand.wait(lambda: bench.pocket.Depth.Value == 8)
+    hand.click(leave)
+    hand.wait(bench.closed)
+    if leave == OK:
+        hand.undo()
+        hand.wait(lambda: bench.pocket.Depth.Value == 10)
+    assert hand.main(bench.values) == before
+
+
+def test_an_undo_that_takes_the_object_closes_its_panel(hand: Hand, bench: Bench) -> None:
+    def new() -> None:
+        create(bench.document, "New pocket", lambda: api.add_elliptical_pocket(bench.job, radius_x_mm=20))
+
+    count = hand.main(lambda: len(bench.document.Objects))
+    hand.main(new)
+    bench.opened()
+    hand.click("CNCStepper_Panel_group_operation")
+    hand.undo()
+    hand.wait(lambda: len(bench.document.Objects) == count)
+    hand.wait(bench.closed)
+
+
 def test_a_cancelled_new_operation_is_gone_and_a_kept_one_is_undone_at_once(hand: Hand, bench: Bench) -> None:
     def new() -> None:
         create(bench.document, "New pocket", lambda: api.add_elliptical_pocket(bench.job, radius_x_mm=20))
