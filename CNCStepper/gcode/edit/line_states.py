@@ -12,7 +12,7 @@ from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.edit.edit_result import Lines
 from CNCStepper.gcode.edit.line_tokens import Token, tokens_of
-from CNCStepper.gcode.interpreter.flow.flow_line_parser import has_profile, is_plain, leads
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain, leads, names_blocks
 from CNCStepper.gcode.interpreter.flow.run_with_subroutines import Flow, Limits
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
@@ -153,7 +153,7 @@ class Source:
         )
 
     def _check(self, number: int, line: str) -> None:
-        if self.dialect.two_block_cycles and has_profile(line):
+        if self.dialect.two_block_cycles and names_blocks(line):
             raise self.refusal(number, "edit-flow", IN_OTHER_BLOCKS, value=line.strip()[:40], advice=WITHOUT_CYCLES)
         if "#" in line and _READS_PLACE.search(split_line(line).code):
             what = "the line reads the machine's position, which the edit would change"
@@ -168,7 +168,7 @@ def has_flow(text: str, dialect: Dialect) -> bool:
 def require_straight(text: str, dialect: Dialect, file: str) -> None:
     """Raise ProgramError, naming the first, for a program with lines that lead elsewhere."""
     for number, line in enumerate(program_lines(text) if dialect.two_block_cycles else (), start=1):
-        if has_profile(line):
+        if names_blocks(line):
             place = Place(file, number, 1)
             raise ProgramError(
                 "edit-flow", IN_OTHER_BLOCKS, value=line.strip()[:40], advice=WITHOUT_CYCLES, place=place

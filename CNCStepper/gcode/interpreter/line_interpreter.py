@@ -27,7 +27,7 @@ from CNCStepper.gcode.interpreter.canonical_output import Canon
 from CNCStepper.gcode.interpreter.execute import Execution
 from CNCStepper.gcode.interpreter.expression_words import ExpressionWords, is_computed, read_items
 from CNCStepper.gcode.interpreter.fast_path import fast_line
-from CNCStepper.gcode.interpreter.flow.flow_line_parser import has_profile, leads
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import has_profile, leads, names_blocks
 from CNCStepper.gcode.interpreter.functions import plasma
 from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point, model_at
 from CNCStepper.gcode.interpreter.state.modal_state_stack import leave_level
@@ -155,8 +155,8 @@ class Interpreter:
 
     def leads(self, text: str) -> bool:
         """Whether a line leads elsewhere in this dialect: an O-word, M98 or M99, or a cycle with a profile."""
-        branches = self.dialect.o_words and leads(text)
-        return branches or ((self.dialect.o_words or self.dialect.two_block_cycles) and has_profile(text))
+        branches = self.dialect.o_words and (leads(text) or has_profile(text))
+        return branches or (self.dialect.two_block_cycles and names_blocks(text))
 
     def ran(self, line_number: int, motion: int, position: Point, feed_mm_min: float, told: bool) -> None:
         """Note the end of a run of lines whose rows and states are in the table already; `told`: it had an F."""

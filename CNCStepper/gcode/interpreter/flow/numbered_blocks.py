@@ -13,12 +13,12 @@ from collections.abc import Callable, Iterator, Sequence
 
 from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.gcode.dialects.preprocessor import pieces
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import names_blocks
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point
 from CNCStepper.gcode.syntax.words import Word
 
 _NUMBER = re.compile(r"[ \t]*/?[ \t]*N[ \t]*([0-9]+)", re.IGNORECASE)
-_CYCLE = re.compile(r"G[ \t]*7[ \t]*[0-3](?![0-9.])", re.IGNORECASE)
 
 
 class NumberedBlocks:
@@ -68,7 +68,7 @@ class NumberedBlocks:
     def _finish(self, begin: int, end: int, back: Point) -> Iterator[None]:
         reader, self._finishing = self._interpreter, None
         for index in range(begin, end):
-            if _CYCLE.search(self._lines[index]):
+            if names_blocks(self._lines[index]):
                 what, place = "a profile may not hold a cycle", Place(reader.file, index + 1)
                 raise ProgramError("profile", what, value=self._lines[index].strip()[:40], place=place)
             reader.line_at(self._lines[index], index + 1, Place(reader.file, index + 1))
