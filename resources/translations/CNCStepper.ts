@@ -19355,6 +19355,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>export the body itself, as STEP, BREP or STL</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>export the solid as STEP again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19563,7 +19567,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give a height_mm within the solid, or none for its whole outline</source>
+            <source>give a height_mm within the solid, or none for its outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20363,6 +20367,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its content is no picture</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its controller's process has ended ({status})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20464,6 +20472,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>its transform is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its transform-origin is damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24360,6 +24372,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the file holds no settings of a controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file holds no solid and no face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

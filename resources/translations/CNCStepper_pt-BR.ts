@@ -19377,6 +19377,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>exporte-o de novo, como STL binário</translation>
         </message>
         <message>
+            <source>export the body itself, as STEP, BREP or STL</source>
+            <translation>exporte o próprio corpo, como STEP, BREP ou STL</translation>
+        </message>
+        <message>
             <source>export the solid as STEP again</source>
             <translation>exporte o sólido de novo como STEP</translation>
         </message>
@@ -19585,8 +19589,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>informe uma altura maior</translation>
         </message>
         <message>
-            <source>give a height_mm within the solid, or none for its whole outline</source>
-            <translation>dê um height_mm dentro do sólido, ou nenhum para o contorno inteiro</translation>
+            <source>give a height_mm within the solid, or none for its outline</source>
+            <translation>dê um height_mm dentro do sólido, ou nenhum para o seu contorno</translation>
         </message>
         <message>
             <source>give a line</source>
@@ -20385,6 +20389,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a sua fronteira não está fechada</translation>
         </message>
         <message>
+            <source>its content is no picture</source>
+            <translation>o conteúdo não é uma imagem</translation>
+        </message>
+        <message>
             <source>its controller's process has ended ({status})</source>
             <translation>o processo do controlador terminou ({status})</translation>
         </message>
@@ -20487,6 +20495,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>its transform is damaged</source>
             <translation>a sua transformação está danificada</translation>
+        </message>
+        <message>
+            <source>its transform-origin is damaged</source>
+            <translation>o seu transform-origin está danificado</translation>
         </message>
         <message>
             <source>its weights are not above 0</source>
@@ -24383,6 +24395,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the file holds no settings of a controller</source>
             <translation>o arquivo não tem ajustes de um controlador</translation>
+        </message>
+        <message>
+            <source>the file holds no solid and no face</source>
+            <translation>o arquivo não contém nenhum sólido nem face</translation>
         </message>
         <message>
             <source>the file is empty</source>
