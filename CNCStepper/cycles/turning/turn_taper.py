@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import radians, tan
 from typing import Any
 
-from CNCStepper.cycles.turning.turn_finish import finish
+from CNCStepper.cycles.turning.profile_path import finish
 from CNCStepper.cycles.turning.turn_rough import rough
 from CNCStepper.cycles.turning.turning_moves import TurningMoves
 from CNCStepper.cycles.turning.turning_operation import TurnFinish, TurnRough, TurnTaper
