@@ -4119,7 +4119,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a copy of the marked row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a row behind the marked one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a rule after the marked one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a tool of your own library, or keep the marked one there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4151,7 +4163,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add the rows of a file: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add the tools of FreeCAD's library or of a tool table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add to job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4300,6 +4320,10 @@
         </message>
         <message>
             <source>Arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc voltage</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4511,6 +4535,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Big digits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Big digits…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Blade offset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4588,6 +4620,14 @@
         </message>
         <message>
             <source>Canned cycles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Carbide: feed a tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Carbide: surface speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4959,6 +4999,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cut charts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut charts (*.toml *.cfg)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4980,6 +5024,10 @@
         </message>
         <message>
             <source>Cut length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5047,6 +5095,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Delete the marked rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Delete the marked rule</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5071,7 +5123,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Depth per pass in diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Depth to</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth, from above without the path</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5211,6 +5271,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag a frame to zoom into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5287,11 +5351,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drive round the job in air, at its safe height and without power, before the first cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drive the length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Drop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Duplicate</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5455,7 +5527,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Export</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Export job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Export…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5943,6 +6023,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>From where the part is looked at, and how near; the mouse turns and moves it as ever</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Front edge</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6111,6 +6195,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>HSS: feed a tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>HSS: surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Half</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6144,6 +6236,10 @@
         </message>
         <message>
             <source>Height below the notch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height control</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6611,6 +6707,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Import</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import a drawing first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6739,6 +6839,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Isometric</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Isosceles triangle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6748,6 +6852,10 @@
         </message>
         <message>
             <source>It is cut last already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6855,11 +6963,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Keep the marked tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Keep the table as your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Keeps the text where it came from (Ctrl+S); a job's is kept beside it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kerf by feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7035,6 +7155,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Library…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Lift before</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7060,6 +7184,10 @@
         </message>
         <message>
             <source>Line spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7283,6 +7411,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Materials</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Meaning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7459,6 +7591,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Name in jobs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Name of the profile: letters of a to z, digits, - and _</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7560,6 +7696,14 @@
         </message>
         <message>
             <source>Nose radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Not all of the file was taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Not all was written</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7979,6 +8123,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pause at the end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pause between pulses</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8131,11 +8279,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Positions, state and remaining time in a window of their own, to be read across the room</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Power</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Power (M3)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Power (S)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8152,6 +8308,10 @@
         </message>
         <message>
             <source>Preset speeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pressure</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8232,6 +8392,14 @@
         </message>
         <message>
             <source>Programs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Puddle jump delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Puddle jump height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8467,6 +8635,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Remaining {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Remnants</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8635,6 +8807,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Run the outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Running</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8663,6 +8839,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Save or revert this chart first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Save program as…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8676,6 +8856,10 @@
         </message>
         <message>
             <source>Save these rules as a template of the shop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save, and add the marked tools to the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8700,6 +8884,10 @@
         </message>
         <message>
             <source>Scribe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Search</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8855,6 +9043,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Share of the feed straight down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8895,6 +9087,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Show all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show how far the job came when the link broke, and restart it there</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8903,7 +9099,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Show the cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show what is saved</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9024,6 +9228,10 @@
         </message>
         <message>
             <source>Sounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Source</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9815,6 +10023,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The outline is run only while the machine is idle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The outline seen from above, or the faces or the section at a height</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9848,6 +10060,14 @@
         </message>
         <message>
             <source>The places of the holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The planned time of its own moves; the way to them and the tool change are not in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The planned times of the checked operations, without tool changes and the ways between</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10031,6 +10251,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The tool in the 3D view over the part as it is cut, with its path behind it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The tool is at the end of the cut.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10147,6 +10371,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>These tables have changes that are not saved: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Thesis table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10255,6 +10483,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Title</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>To</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10284,6 +10516,10 @@
         </message>
         <message>
             <source>To the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Together {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10323,7 +10559,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tools and materials</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tools, materials and cut charts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10411,6 +10655,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Turning: cutting force</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning: elasticity</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning: exponent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10492,6 +10748,10 @@
         </message>
         <message>
             <source>Values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>View</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10799,6 +11059,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Width per pass in diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wing rib: out of foam by a hot wire</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10848,6 +11112,10 @@
         </message>
         <message>
             <source>Write the differences…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the marked rows, or all, into a file: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10911,6 +11179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>XY, from above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Y times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10947,11 +11219,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>ZY, from the side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Zero's place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Zip with packages ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Zoom in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Zoom out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11315,6 +11599,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>diameter, least and most: 5 0.03 0.07; 8 0.05 0.09</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>digital differential analyser</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11368,6 +11656,10 @@
         </message>
         <message>
             <source>feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>feed and kerf: 150 1.8; 300 1.2</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11539,6 +11831,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>least and most: 180 500</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leather</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11684,6 +11980,10 @@
         </message>
         <message>
             <source>no switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12327,6 +12627,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is tool {1} of the library</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is written and read back.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12431,6 +12735,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} warnings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} was not cut to its end, and no open document has the program that was sent.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12456,6 +12764,10 @@
         </message>
         <message>
             <source>{0}, line {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}, outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15323,6 +15635,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{path}' is no file of this library</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{path}' is no tool file that is known</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15335,7 +15651,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{text}' is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{text}' is no tool of a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{text}' is no whole number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16055,6 +16379,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Materials of the user's own, and shipped ones that the user has changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Mounting plate</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16612,6 +16940,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a lathe's arcs are in the plane ZX (G18)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a lathe's tool has no outline over the bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17207,6 +17539,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a wire has no height above the part at which it could drive round it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a word does not begin with a letter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17496,6 +17832,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>another connection is using the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>another row has {key} {value} already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18164,6 +18504,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>choose another process in the job, or delete the operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose another program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18979,6 +19323,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>export the body itself, as STEP, BREP or STL</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>export the solid as STEP again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19187,7 +19535,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give a height_mm within the solid, or none for its whole outline</source>
+            <source>give a height_mm within the solid, or none for its outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19987,6 +20335,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its content is no picture</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its controller's process has ended ({status})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20088,6 +20440,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>its transform is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its transform-origin is damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20516,6 +20872,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>look at the network of the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at the simulation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23968,6 +24328,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the file holds no settings of a controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file holds no solid and no face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27995,6 +28359,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} rows are for another process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} rules of style are not applied, because of their selectors: {names}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28207,6 +28575,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{key} is missing, and only the circles of a drawing have one of their own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28228,6 +28600,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{key} must be a number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} must be one of: {choices}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29184,6 +29560,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
     </context>
     <context>
+        <name>CNCStepper_Library</name>
+        <message>
+            <source>Tools and materials…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Your own tools, materials and cut charts: search, edit, import and export them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Machines</name>
         <message>
             <source>Machines…</source>
@@ -29290,6 +29677,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Rectangular pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_SaveProgram</name>
+        <message>
+            <source>Save program…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Saves the program of the job as a file for the machine</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -4119,8 +4119,20 @@
             <translation>Adicionar um arquivo de código G</translation>
         </message>
         <message>
+            <source>Add a copy of the marked row</source>
+            <translation>Acrescentar uma cópia da linha marcada</translation>
+        </message>
+        <message>
+            <source>Add a row behind the marked one</source>
+            <translation>Acrescentar uma linha depois da marcada</translation>
+        </message>
+        <message>
             <source>Add a rule after the marked one</source>
             <translation>Acrescenta uma regra depois da marcada</translation>
+        </message>
+        <message>
+            <source>Add a tool of your own library, or keep the marked one there</source>
+            <translation>Acrescentar uma ferramenta da sua biblioteca, ou guardar nela a marcada</translation>
         </message>
         <message>
             <source>Add a tool to this job</source>
@@ -4151,8 +4163,16 @@
             <translation>Acrescentar ao documento, como malha, a peça tal como está agora</translation>
         </message>
         <message>
+            <source>Add the rows of a file: {0}</source>
+            <translation>Acrescentar as linhas de um arquivo: {0}</translation>
+        </message>
+        <message>
             <source>Add the tools of FreeCAD's library or of a tool table</source>
             <translation>Adiciona as ferramentas da biblioteca do FreeCAD ou de uma tabela de ferramentas</translation>
+        </message>
+        <message>
+            <source>Add to job</source>
+            <translation>Pôr no trabalho</translation>
         </message>
         <message>
             <source>Add tool</source>
@@ -4301,6 +4321,10 @@
         <message>
             <source>Arc tolerance</source>
             <translation>Tolerância de arco</translation>
+        </message>
+        <message>
+            <source>Arc voltage</source>
+            <translation>Tensão do arco</translation>
         </message>
         <message>
             <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
@@ -4511,6 +4535,14 @@
             <translation>Além</translation>
         </message>
         <message>
+            <source>Big digits</source>
+            <translation>Dígitos grandes</translation>
+        </message>
+        <message>
+            <source>Big digits…</source>
+            <translation>Dígitos grandes…</translation>
+        </message>
+        <message>
             <source>Blade offset</source>
             <translation>Recuo da lâmina</translation>
         </message>
@@ -4589,6 +4621,14 @@
         <message>
             <source>Canned cycles</source>
             <translation>Ciclos fixos</translation>
+        </message>
+        <message>
+            <source>Carbide: feed a tooth</source>
+            <translation>Metal duro: avanço por dente</translation>
+        </message>
+        <message>
+            <source>Carbide: surface speed</source>
+            <translation>Metal duro: velocidade de corte</translation>
         </message>
         <message>
             <source>Centre</source>
@@ -4959,6 +4999,10 @@
             <translation>Tabela de corte</translation>
         </message>
         <message>
+            <source>Cut charts</source>
+            <translation>Tabelas de corte</translation>
+        </message>
+        <message>
             <source>Cut charts (*.toml *.cfg)</source>
             <translation>Tabelas de corte (*.toml *.cfg)</translation>
         </message>
@@ -4981,6 +5025,10 @@
         <message>
             <source>Cut length</source>
             <translation>Comprimento do corte</translation>
+        </message>
+        <message>
+            <source>Cut mode</source>
+            <translation>Modo de corte</translation>
         </message>
         <message>
             <source>Cut off at the right angle</source>
@@ -5047,6 +5095,10 @@
             <translation>Excluir um ponto</translation>
         </message>
         <message>
+            <source>Delete the marked rows</source>
+            <translation>Apagar as linhas marcadas</translation>
+        </message>
+        <message>
             <source>Delete the marked rule</source>
             <translation>Exclui a regra marcada</translation>
         </message>
@@ -5071,8 +5123,16 @@
             <translation>Profundidade por passe</translation>
         </message>
         <message>
+            <source>Depth per pass in diameters</source>
+            <translation>Profundidade por passe em diâmetros</translation>
+        </message>
+        <message>
             <source>Depth to</source>
             <translation>Profundidade até</translation>
+        </message>
+        <message>
+            <source>Depth, from above without the path</source>
+            <translation>Profundidade, de cima sem o caminho</translation>
         </message>
         <message>
             <source>Designation</source>
@@ -5211,6 +5271,10 @@
             <translation>Duplicadas</translation>
         </message>
         <message>
+            <source>Drag a frame to zoom into</source>
+            <translation>Arrastar um quadro para ampliar</translation>
+        </message>
+        <message>
             <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
             <translation>Arraste uma peça para movê-la, com Shift para girá-la; Delete a retira</translation>
         </message>
@@ -5287,12 +5351,20 @@
             <translation>Acionamento (dele seguem os passos por mm)</translation>
         </message>
         <message>
+            <source>Drive round the job in air, at its safe height and without power, before the first cut.</source>
+            <translation>Percorrer o contorno do trabalho no ar, na altura segura e sem potência, antes do primeiro corte.</translation>
+        </message>
+        <message>
             <source>Drive the length</source>
             <translation>Percorrer o comprimento</translation>
         </message>
         <message>
             <source>Drop</source>
             <translation>Gota</translation>
+        </message>
+        <message>
+            <source>Duplicate</source>
+            <translation>Duplicar</translation>
         </message>
         <message>
             <source>Duplicate operations</source>
@@ -5455,8 +5527,16 @@
             <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
         </message>
         <message>
+            <source>Export</source>
+            <translation>Exportar</translation>
+        </message>
+        <message>
             <source>Export job</source>
             <translation>Exportar trabalho</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>Exportar…</translation>
         </message>
         <message>
             <source>Extra depth, so that the tool comes out below</source>
@@ -5943,6 +6023,10 @@
             <translation>De dente a dente</translation>
         </message>
         <message>
+            <source>From where the part is looked at, and how near; the mouse turns and moves it as ever</source>
+            <translation>De onde a peça é vista, e de quão perto; o mouse gira e move a vista como sempre</translation>
+        </message>
+        <message>
             <source>Front edge</source>
             <translation>Aresta dianteira</translation>
         </message>
@@ -6111,6 +6195,14 @@
             <translation>plástico PEAD</translation>
         </message>
         <message>
+            <source>HSS: feed a tooth</source>
+            <translation>Aço rápido: avanço por dente</translation>
+        </message>
+        <message>
+            <source>HSS: surface speed</source>
+            <translation>Aço rápido: velocidade de corte</translation>
+        </message>
+        <message>
             <source>Half</source>
             <translation>Metade</translation>
         </message>
@@ -6145,6 +6237,10 @@
         <message>
             <source>Height below the notch</source>
             <translation>Altura abaixo do entalhe</translation>
+        </message>
+        <message>
+            <source>Height control</source>
+            <translation>Controle de altura</translation>
         </message>
         <message>
             <source>Height of</source>
@@ -6611,6 +6707,10 @@
             <translation>Pronta</translation>
         </message>
         <message>
+            <source>Import</source>
+            <translation>Importar</translation>
+        </message>
+        <message>
             <source>Import a drawing first</source>
             <translation>Primeiro importe um desenho</translation>
         </message>
@@ -6739,6 +6839,10 @@
             <translation>O zero-peça está definido no bloco e o caminho está livre?</translation>
         </message>
         <message>
+            <source>Isometric</source>
+            <translation>Isométrica</translation>
+        </message>
+        <message>
             <source>Isosceles triangle</source>
             <translation>Triângulo isósceles</translation>
         </message>
@@ -6749,6 +6853,10 @@
         <message>
             <source>It is cut last already</source>
             <translation>Já é usinada por último</translation>
+        </message>
+        <message>
+            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
+            <translation>Não se sabe onde a peça está na mesa: referencie a máquina, depois defina o zero de trabalho.</translation>
         </message>
         <message>
             <source>It is your copy of a shipped profile, and is used in its place.</source>
@@ -6855,12 +6963,24 @@
             <translation>Guardar a peça cortada como malha</translation>
         </message>
         <message>
+            <source>Keep the marked tool</source>
+            <translation>Guardar a ferramenta marcada</translation>
+        </message>
+        <message>
+            <source>Keep the table as your own</source>
+            <translation>Guardar a tabela como sua</translation>
+        </message>
+        <message>
             <source>Keeps the text where it came from (Ctrl+S); a job's is kept beside it</source>
             <translation>Guarda o texto de onde ele veio (Ctrl+S); o de um trabalho fica ao lado dele</translation>
         </message>
         <message>
             <source>Kerf</source>
             <translation>Largura do corte</translation>
+        </message>
+        <message>
+            <source>Kerf by feed</source>
+            <translation>Largura de corte por avanço</translation>
         </message>
         <message>
             <source>Kerning</source>
@@ -7035,6 +7155,10 @@
             <translation>Alavanca</translation>
         </message>
         <message>
+            <source>Library…</source>
+            <translation>Biblioteca…</translation>
+        </message>
+        <message>
             <source>Lift before</source>
             <translation>Levantar antes</translation>
         </message>
@@ -7061,6 +7185,10 @@
         <message>
             <source>Line spacing</source>
             <translation>Entrelinha</translation>
+        </message>
+        <message>
+            <source>Line {0}</source>
+            <translation>Linha {0}</translation>
         </message>
         <message>
             <source>Line {0}, {1}: {2}</source>
@@ -7283,6 +7411,10 @@
             <translation>Material que fica entre dois cortes</translation>
         </message>
         <message>
+            <source>Materials</source>
+            <translation>Materiais</translation>
+        </message>
+        <message>
             <source>Meaning</source>
             <translation>Significado</translation>
         </message>
@@ -7459,6 +7591,10 @@
             <translation>Nome</translation>
         </message>
         <message>
+            <source>Name in jobs</source>
+            <translation>Nome nos trabalhos</translation>
+        </message>
+        <message>
             <source>Name of the profile: letters of a to z, digits, - and _</source>
             <translation>Nome do perfil: letras de a a z, algarismos, - e _</translation>
         </message>
@@ -7561,6 +7697,14 @@
         <message>
             <source>Nose radius</source>
             <translation>Raio da ponta</translation>
+        </message>
+        <message>
+            <source>Not all of the file was taken</source>
+            <translation>Nem tudo do arquivo foi aproveitado</translation>
+        </message>
+        <message>
+            <source>Not all was written</source>
+            <translation>Nem tudo foi escrito</translation>
         </message>
         <message>
             <source>Not certain</source>
@@ -7979,6 +8123,10 @@
             <translation>Pausa</translation>
         </message>
         <message>
+            <source>Pause at the end</source>
+            <translation>Pausa no fim</translation>
+        </message>
+        <message>
             <source>Pause between pulses</source>
             <translation>Pausa entre pulsos</translation>
         </message>
@@ -8131,12 +8279,20 @@
             <translation>Posição</translation>
         </message>
         <message>
+            <source>Positions, state and remaining time in a window of their own, to be read across the room</source>
+            <translation>Posições, estado e tempo restante em uma janela própria, para ler do outro lado da sala</translation>
+        </message>
+        <message>
             <source>Power</source>
             <translation>Potência</translation>
         </message>
         <message>
             <source>Power (M3)</source>
             <translation>Potência (M3)</translation>
+        </message>
+        <message>
+            <source>Power (S)</source>
+            <translation>Potência (S)</translation>
         </message>
         <message>
             <source>Power on before the tool moves; 0: that of the chart</source>
@@ -8153,6 +8309,10 @@
         <message>
             <source>Preset speeds</source>
             <translation>Rotações fixas</translation>
+        </message>
+        <message>
+            <source>Pressure</source>
+            <translation>Pressão</translation>
         </message>
         <message>
             <source>Preview</source>
@@ -8233,6 +8393,14 @@
         <message>
             <source>Programs ({0})</source>
             <translation>Programas ({0})</translation>
+        </message>
+        <message>
+            <source>Puddle jump delay</source>
+            <translation>Demora do salto da poça</translation>
+        </message>
+        <message>
+            <source>Puddle jump height</source>
+            <translation>Altura do salto da poça</translation>
         </message>
         <message>
             <source>Pull-out</source>
@@ -8467,6 +8635,10 @@
             <translation>Restante</translation>
         </message>
         <message>
+            <source>Remaining {0}</source>
+            <translation>Restante {0}</translation>
+        </message>
+        <message>
             <source>Remnants</source>
             <translation>Retalhos</translation>
         </message>
@@ -8635,6 +8807,10 @@
             <translation>Regras</translation>
         </message>
         <message>
+            <source>Run the outline</source>
+            <translation>Percorrer o contorno</translation>
+        </message>
+        <message>
             <source>Running</source>
             <translation>Usinando</translation>
         </message>
@@ -8663,6 +8839,10 @@
             <translation>Salvar como…</translation>
         </message>
         <message>
+            <source>Save or revert this chart first</source>
+            <translation>Guarde ou desfaça esta tabela primeiro</translation>
+        </message>
+        <message>
             <source>Save program as…</source>
             <translation>Salvar programa como…</translation>
         </message>
@@ -8677,6 +8857,10 @@
         <message>
             <source>Save these rules as a template of the shop</source>
             <translation>Salva estas regras como um modelo da oficina</translation>
+        </message>
+        <message>
+            <source>Save, and add the marked tools to the job</source>
+            <translation>Guardar, e pôr as ferramentas marcadas no trabalho</translation>
         </message>
         <message>
             <source>Saved {0}</source>
@@ -8701,6 +8885,10 @@
         <message>
             <source>Scribe</source>
             <translation>Riscador</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Procurar</translation>
         </message>
         <message>
             <source>Search in this page</source>
@@ -8855,6 +9043,10 @@
             <translation>Formas</translation>
         </message>
         <message>
+            <source>Share of the feed straight down</source>
+            <translation>Fração do avanço na descida</translation>
+        </message>
+        <message>
             <source>Sheet cut</source>
             <translation>Corte de chapa</translation>
         </message>
@@ -8895,6 +9087,10 @@
             <translation>Mais curtos que</translation>
         </message>
         <message>
+            <source>Show all</source>
+            <translation>Mostrar tudo</translation>
+        </message>
+        <message>
             <source>Show how far the job came when the link broke, and restart it there</source>
             <translation>Mostrar até onde o trabalho chegou quando a ligação caiu, e retomá-lo dali</translation>
         </message>
@@ -8903,8 +9099,16 @@
             <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o retoma ali.</translation>
         </message>
         <message>
+            <source>Show the cut</source>
+            <translation>Mostrar o corte</translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation>Mostrar a trajetória</translation>
+        </message>
+        <message>
+            <source>Show what is saved</source>
+            <translation>Mostrar o que está guardado</translation>
         </message>
         <message>
             <source>Shows the same program as this machine's controller reads it: M6 becomes the machine's tool change</source>
@@ -9025,6 +9229,10 @@
         <message>
             <source>Sounds</source>
             <translation>Sons</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Fonte</translation>
         </message>
         <message>
             <source>Spacing</source>
@@ -9815,6 +10023,10 @@
             <translation>A outra ponta da diagonal, antes de o retângulo ser girado</translation>
         </message>
         <message>
+            <source>The outline is run only while the machine is idle.</source>
+            <translation>O contorno só é percorrido com a máquina ociosa.</translation>
+        </message>
+        <message>
             <source>The outline seen from above, or the faces or the section at a height</source>
             <translation>O contorno visto de cima, ou as faces ou a seção a uma altura</translation>
         </message>
@@ -9849,6 +10061,14 @@
         <message>
             <source>The places of the holes</source>
             <translation>Onde ficam os furos</translation>
+        </message>
+        <message>
+            <source>The planned time of its own moves; the way to them and the tool change are not in it</source>
+            <translation>O tempo previsto dos seus próprios movimentos; o caminho até eles e a troca de ferramenta não contam</translation>
+        </message>
+        <message>
+            <source>The planned times of the checked operations, without tool changes and the ways between</source>
+            <translation>Os tempos previstos das operações marcadas, sem trocas de ferramenta e caminhos entre elas</translation>
         </message>
         <message>
             <source>The plunge feed of the program</source>
@@ -10031,6 +10251,10 @@
             <translation>A ferramenta só avança de novo depois de ter voltado.</translation>
         </message>
         <message>
+            <source>The tool in the 3D view over the part as it is cut, with its path behind it</source>
+            <translation>A ferramenta na vista 3D sobre a peça como está cortada, com seu caminho atrás</translation>
+        </message>
+        <message>
             <source>The tool is at the end of the cut.</source>
             <translation>A ferramenta está onde o corte chegou.</translation>
         </message>
@@ -10147,6 +10371,10 @@
             <translation>Estes perfis têm mudanças não salvas: {0}</translation>
         </message>
         <message>
+            <source>These tables have changes that are not saved: {0}</source>
+            <translation>Estas tabelas têm mudanças que não foram guardadas: {0}</translation>
+        </message>
+        <message>
             <source>Thesis table</source>
             <translation>Mesa da tese</translation>
         </message>
@@ -10255,6 +10483,10 @@
             <translation>Orientação da ponta</translation>
         </message>
         <message>
+            <source>Title</source>
+            <translation>Título</translation>
+        </message>
+        <message>
             <source>To</source>
             <translation>Até</translation>
         </message>
@@ -10285,6 +10517,10 @@
         <message>
             <source>To the start</source>
             <translation>Ao início</translation>
+        </message>
+        <message>
+            <source>Together {0}</source>
+            <translation>Ao todo {0}</translation>
         </message>
         <message>
             <source>Tolerance</source>
@@ -10323,8 +10559,16 @@
             <translation>Ferramentas ({0})</translation>
         </message>
         <message>
+            <source>Tools and materials</source>
+            <translation>Ferramentas e materiais</translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
+        </message>
+        <message>
+            <source>Tools, materials and cut charts</source>
+            <translation>Ferramentas, materiais e tabelas de corte</translation>
         </message>
         <message>
             <source>Toothed belt</source>
@@ -10411,6 +10655,18 @@
             <translation>Ferramenta de tornear</translation>
         </message>
         <message>
+            <source>Turning: cutting force</source>
+            <translation>Torneamento: força de corte</translation>
+        </message>
+        <message>
+            <source>Turning: elasticity</source>
+            <translation>Torneamento: elasticidade</translation>
+        </message>
+        <message>
+            <source>Turning: exponent</source>
+            <translation>Torneamento: expoente</translation>
+        </message>
+        <message>
             <source>Turns</source>
             <translation>Voltas</translation>
         </message>
@@ -10493,6 +10749,10 @@
         <message>
             <source>Values</source>
             <translation>Valores</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>Vista</translation>
         </message>
         <message>
             <source>Virtual grbl (no machine)</source>
@@ -10799,6 +11059,10 @@
             <translation>Largura por passe</translation>
         </message>
         <message>
+            <source>Width per pass in diameters</source>
+            <translation>Largura por passe em diâmetros</translation>
+        </message>
+        <message>
             <source>Wing rib: out of foam by a hot wire</source>
             <translation>Nervura de asa: de espuma, por fio quente</translation>
         </message>
@@ -10849,6 +11113,10 @@
         <message>
             <source>Write the differences…</source>
             <translation>Gravar as diferenças…</translation>
+        </message>
+        <message>
+            <source>Write the marked rows, or all, into a file: {0}</source>
+            <translation>Escrever as linhas marcadas, ou todas, em um arquivo: {0}</translation>
         </message>
         <message>
             <source>Write the one checked program of all copies</source>
@@ -10911,6 +11179,10 @@
             <translation>espuma XPS</translation>
         </message>
         <message>
+            <source>XY, from above</source>
+            <translation>XY, de cima</translation>
+        </message>
+        <message>
             <source>Y times</source>
             <translation>Y vezes</translation>
         </message>
@@ -10947,12 +11219,24 @@
             <translation>Suporte em Z</translation>
         </message>
         <message>
+            <source>ZY, from the side</source>
+            <translation>ZY, de lado</translation>
+        </message>
+        <message>
             <source>Zero's place</source>
             <translation>Lugar do zero</translation>
         </message>
         <message>
             <source>Zip with packages ({0})</source>
             <translation>Zip com pacotes ({0})</translation>
+        </message>
+        <message>
+            <source>Zoom in</source>
+            <translation>Ampliar</translation>
+        </message>
+        <message>
+            <source>Zoom out</source>
+            <translation>Reduzir</translation>
         </message>
         <message>
             <source>[The whole manual]({0}) opens in the browser.</source>
@@ -11315,6 +11599,10 @@
             <translation>diâmetro</translation>
         </message>
         <message>
+            <source>diameter, least and most: 5 0.03 0.07; 8 0.05 0.09</source>
+            <translation>diâmetro, mínimo e máximo: 5 0.03 0.07; 8 0.05 0.09</translation>
+        </message>
+        <message>
             <source>digital differential analyser</source>
             <translation>analisador diferencial digital (DDA)</translation>
         </message>
@@ -11369,6 +11657,10 @@
         <message>
             <source>feed</source>
             <translation>avanço</translation>
+        </message>
+        <message>
+            <source>feed and kerf: 150 1.8; 300 1.2</source>
+            <translation>avanço e largura de corte: 150 1.8; 300 1.2</translation>
         </message>
         <message>
             <source>felt</source>
@@ -11539,6 +11831,10 @@
             <translation>leva o programa a outro lugar</translation>
         </message>
         <message>
+            <source>least and most: 180 500</source>
+            <translation>mínimo e máximo: 180 500</translation>
+        </message>
+        <message>
             <source>leather</source>
             <translation>couro</translation>
         </message>
@@ -11685,6 +11981,10 @@
         <message>
             <source>no switch</source>
             <translation>sem chave</translation>
+        </message>
+        <message>
+            <source>no tool</source>
+            <translation>sem ferramenta</translation>
         </message>
         <message>
             <source>no tool length</source>
@@ -12327,6 +12627,10 @@
             <translation>{0} foi lida. O que falta nela vem da máquina à esquerda.</translation>
         </message>
         <message>
+            <source>{0} is tool {1} of the library</source>
+            <translation>{0} é a ferramenta {1} da biblioteca</translation>
+        </message>
+        <message>
             <source>{0} is written and read back.</source>
             <translation>{0} foi gravado e relido.</translation>
         </message>
@@ -12431,6 +12735,10 @@
             <translation>{0} ferramentas importadas</translation>
         </message>
         <message>
+            <source>{0} warnings</source>
+            <translation>{0} avisos</translation>
+        </message>
+        <message>
             <source>{0} was not cut to its end, and no open document has the program that was sent.</source>
             <translation>{0} não foi cortado até o fim, e seu programa, como foi enviado, não está em nenhum documento aberto.</translation>
         </message>
@@ -12457,6 +12765,10 @@
         <message>
             <source>{0}, line {1}</source>
             <translation>{0}, linha {1}</translation>
+        </message>
+        <message>
+            <source>{0}, outline</source>
+            <translation>{0}, contorno</translation>
         </message>
         <message>
             <source>{0}, restart</source>
@@ -15345,6 +15657,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>'{part}' em '{line}' não diz nada de um canto nem de um arco</translation>
         </message>
         <message>
+            <source>'{path}' is no file of this library</source>
+            <translation>'{path}' não é um arquivo desta biblioteca</translation>
+        </message>
+        <message>
             <source>'{path}' is no tool file that is known</source>
             <translation>'{path}' não é um arquivo de ferramentas conhecido</translation>
         </message>
@@ -15357,8 +15673,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>'{text}' move como só o controlador sabe</translation>
         </message>
         <message>
+            <source>'{text}' is no number</source>
+            <translation>'{text}' não é um número</translation>
+        </message>
+        <message>
             <source>'{text}' is no tool of a lathe</source>
             <translation>'{text}' não é ferramenta de torno</translation>
+        </message>
+        <message>
+            <source>'{text}' is no whole number</source>
+            <translation>'{text}' não é um número inteiro</translation>
         </message>
         <message>
             <source>'{text}' is not a tool</source>
@@ -16077,6 +16401,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o Marlin leria G91 ou G90: omita-a</translation>
         </message>
         <message>
+            <source>Materials of the user's own, and shipped ones that the user has changed</source>
+            <translation>Materiais próprios do usuário, e os fornecidos que ele mudou</translation>
+        </message>
+        <message>
             <source>Mounting plate</source>
             <translation>Chapa de montagem</translation>
         </message>
@@ -16635,6 +16963,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a lathe's arcs are in the plane ZX (G18)</source>
             <translation>os arcos de um torno ficam no plano ZX (G18)</translation>
+        </message>
+        <message>
+            <source>a lathe's tool has no outline over the bar</source>
+            <translation>a ferramenta de um torno não tem contorno sobre a barra</translation>
         </message>
         <message>
             <source>a lead of kind 'arc' needs radius_mm, and no length_mm</source>
@@ -17229,6 +17561,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um número inteiro a partir de 0</translation>
         </message>
         <message>
+            <source>a wire has no height above the part at which it could drive round it</source>
+            <translation>um fio não tem altura acima da peça na qual possa percorrê-la</translation>
+        </message>
+        <message>
             <source>a word does not begin with a letter</source>
             <translation>uma palavra não começa com letra</translation>
         </message>
@@ -17519,6 +17855,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>another connection is using the controller</source>
             <translation>outra conexão está usando o controlador</translation>
+        </message>
+        <message>
+            <source>another row has {key} {value} already</source>
+            <translation>outra linha já tem {key} {value}</translation>
         </message>
         <message>
             <source>another task is open in the task panel</source>
@@ -18187,6 +18527,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation>escolha outro processo no trabalho, ou apague a operação</translation>
+        </message>
+        <message>
+            <source>choose another program</source>
+            <translation>escolha outro programa</translation>
         </message>
         <message>
             <source>choose another side</source>
@@ -19001,6 +19345,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>exporte-o de novo, como STL binário</translation>
         </message>
         <message>
+            <source>export the body itself, as STEP, BREP or STL</source>
+            <translation>exporte o próprio corpo, como STEP, BREP ou STL</translation>
+        </message>
+        <message>
             <source>export the solid as STEP again</source>
             <translation>exporte o sólido de novo como STEP</translation>
         </message>
@@ -19209,8 +19557,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>informe uma altura maior</translation>
         </message>
         <message>
-            <source>give a height_mm within the solid, or none for its whole outline</source>
-            <translation>dê um height_mm dentro do sólido, ou nenhum para o contorno inteiro</translation>
+            <source>give a height_mm within the solid, or none for its outline</source>
+            <translation>dê um height_mm dentro do sólido, ou nenhum para o seu contorno</translation>
         </message>
         <message>
             <source>give a line</source>
@@ -20009,6 +20357,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a sua fronteira não está fechada</translation>
         </message>
         <message>
+            <source>its content is no picture</source>
+            <translation>o conteúdo não é uma imagem</translation>
+        </message>
+        <message>
             <source>its controller's process has ended ({status})</source>
             <translation>o processo do controlador terminou ({status})</translation>
         </message>
@@ -20111,6 +20463,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>its transform is damaged</source>
             <translation>a sua transformação está danificada</translation>
+        </message>
+        <message>
+            <source>its transform-origin is damaged</source>
+            <translation>o seu transform-origin está danificado</translation>
         </message>
         <message>
             <source>its weights are not above 0</source>
@@ -20539,6 +20895,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>look at the network of the controller</source>
             <translation>verifique a rede do controlador</translation>
+        </message>
+        <message>
+            <source>look at the simulation</source>
+            <translation>veja a simulação</translation>
         </message>
         <message>
             <source>look at this drawing alone: cncstepper job</source>
@@ -23991,6 +24351,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the file holds no settings of a controller</source>
             <translation>o arquivo não tem ajustes de um controlador</translation>
+        </message>
+        <message>
+            <source>the file holds no solid and no face</source>
+            <translation>o arquivo não contém nenhum sólido nem face</translation>
         </message>
         <message>
             <source>the file is empty</source>
@@ -28017,6 +28381,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
         </message>
         <message>
+            <source>{count} rows are for another process</source>
+            <translation>{count} linhas são de outro processo</translation>
+        </message>
+        <message>
             <source>{count} rules of style are not applied, because of their selectors: {names}</source>
             <translation>{count} regras de estilo não são aplicadas, por causa de seus seletores: {names}</translation>
         </message>
@@ -28229,6 +28597,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{key} tem valores de menos</translation>
         </message>
         <message>
+            <source>{key} is missing</source>
+            <translation>falta {key}</translation>
+        </message>
+        <message>
             <source>{key} is missing, and only the circles of a drawing have one of their own</source>
             <translation>{key} falta, e só os círculos de um desenho têm um próprio</translation>
         </message>
@@ -28251,6 +28623,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{key} must be a number</source>
             <translation>{key} deve ser um número</translation>
+        </message>
+        <message>
+            <source>{key} must be one of: {choices}</source>
+            <translation>{key} tem de ser um de: {choices}</translation>
         </message>
         <message>
             <source>{key} must be the name of a shape, or a list of names</source>
@@ -29206,6 +29582,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
     </context>
     <context>
+        <name>CNCStepper_Library</name>
+        <message>
+            <source>Tools and materials…</source>
+            <translation>Ferramentas e materiais…</translation>
+        </message>
+        <message>
+            <source>Your own tools, materials and cut charts: search, edit, import and export them</source>
+            <translation>Suas ferramentas, materiais e tabelas de corte: procurar, editar, importar e exportar</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Machines</name>
         <message>
             <source>Machines…</source>
@@ -29313,6 +29700,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Rectangular pocket</source>
             <translation>Bolsão retangular</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_SaveProgram</name>
+        <message>
+            <source>Save program…</source>
+            <translation>Salvar programa…</translation>
+        </message>
+        <message>
+            <source>Saves the program of the job as a file for the machine</source>
+            <translation>Salva o programa do trabalho como arquivo para a máquina</translation>
         </message>
     </context>
     <context>

@@ -76,8 +76,8 @@ class Recorder:
         self.steps: dict[str, Step] = {}
 
     def _step(self, obj: Any) -> Step | None:
-        document = getattr(obj, "Document", None)
-        return self.steps.get(document.Name) if document is not None else None
+        """Return the open step of an object's document; a view provider's document is the window's, without a name."""
+        return self.steps.get(getattr(getattr(obj, "Document", None), "Name", ""))
 
     def slotCreatedObject(self, obj: Any) -> None:
         """FreeCAD calls this for each new object."""
