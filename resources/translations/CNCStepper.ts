@@ -16451,6 +16451,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>P of G76's first block is six digits: finishing passes, pull-out, angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>PID eq {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16460,6 +16464,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Q asks for too many pecks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Q makes too many passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Q of G76, the first cut, must be above 0 and at most P, the depth; the last cut below it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16492,6 +16504,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>R lies below {normal}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>R of G73 is how many passes it makes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17247,6 +17263,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a profile may not hold a cycle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a profile must be one chain of lines</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17496,6 +17516,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a turret in front of the axis takes the same program; to move the path use offset</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17784,6 +17808,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>an incremental move needs a known position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an incremental word needs a known position</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18732,6 +18760,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct Q, P or R</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21355,6 +21387,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name its first and its last block</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name its insert, or its angles and nose radius</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21892,6 +21928,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>nothing that an axis moves weighs more than 100 t</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>number the profile's first and last block</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23987,6 +24027,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the depth of cut of {name} must be above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the depth over the key</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25063,6 +25107,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the mirror image of a lathe's X lies over the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the motor of {name} may lose steps: at {speed:.4g} mm/s ({rpm_at:.0f} rpm) and {acceleration:.4g} mm/s² it has too little torque</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25439,6 +25487,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the profile has no more than one move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile is closed: it has no end at the chuck</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25456,6 +25508,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the profile lies in the hole: there is nothing to bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile of this cycle is in other blocks, which are not rewritten with it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25504,6 +25560,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the program has no F word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program has no block N{number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26324,6 +26384,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the word {letter} has no number that can be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the words of G76 are the depths and angles of a thread, which no path edit changes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27607,6 +27671,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write 0.35 mm as 350</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write ATAN[y]/[x]</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27731,15 +27799,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write P010060, for example</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write S before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write T{number}, and keep the offset of the tool there</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>write X and Z: coordinates from where the tool is are not read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27768,6 +27836,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write a G0 with numbers before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a block {name} with {letters} before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27944,6 +28016,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write its endif, endwhile, endrepeat, while or endsub</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write its passes as moves: make the program again with canned = false</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28707,6 +28783,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{letter} and {axis} are the same axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{letter} continues from the last point: neither with {other} nor under G91</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28728,6 +28808,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{letter} must be a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} of G76 has no point: it is in steps of the last digit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28987,6 +29071,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} needs its first block, with {letter}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} needs the spindle to turn</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29003,11 +29091,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} needs the whole program: the profile is in other blocks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} sends more than was asked for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{name} takes no F: the spindle drives it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} takes no {letter}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

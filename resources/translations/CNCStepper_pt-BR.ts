@@ -16473,6 +16473,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o P de G04 são segundos em alguns comandos e milissegundos em outros</translation>
         </message>
         <message>
+            <source>P of G76's first block is six digits: finishing passes, pull-out, angle</source>
+            <translation>o P do primeiro bloco do G76 tem seis algarismos: passes de acabamento, saída, ângulo</translation>
+        </message>
+        <message>
             <source>PID eq {0}</source>
             <translation>PID eq {0}</translation>
         </message>
@@ -16483,6 +16487,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Q asks for too many pecks</source>
             <translation>Q pede picadas demais</translation>
+        </message>
+        <message>
+            <source>Q makes too many passes</source>
+            <translation>Q resulta em passes demais</translation>
+        </message>
+        <message>
+            <source>Q of G76, the first cut, must be above 0 and at most P, the depth; the last cut below it</source>
+            <translation>Q do G76, o primeiro passe, deve ser maior que 0 e no máximo P, a profundidade; o último passe, menor que ela</translation>
         </message>
         <message>
             <source>Q of M19 must be above 0</source>
@@ -16515,6 +16527,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>R lies below {normal}</source>
             <translation>R fica abaixo de {normal}</translation>
+        </message>
+        <message>
+            <source>R of G73 is how many passes it makes</source>
+            <translation>o R do G73 é o número de passes que ele faz</translation>
         </message>
         <message>
             <source>Radius of the inner corner</source>
@@ -17269,6 +17285,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um perfil é feito de arestas</translation>
         </message>
         <message>
+            <source>a profile may not hold a cycle</source>
+            <translation>um perfil não pode conter um ciclo</translation>
+        </message>
+        <message>
             <source>a profile must be one chain of lines</source>
             <translation>um perfil deve ser uma única cadeia de linhas</translation>
         </message>
@@ -17519,6 +17539,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
             <translation>uma ferramenta de tornear precisa de insert, por exemplo "CNMG 120408", ou de front_deg e back_deg</translation>
+        </message>
+        <message>
+            <source>a turret in front of the axis takes the same program; to move the path use offset</source>
+            <translation>um porta-ferramentas à frente do eixo usa o mesmo programa; para deslocar o percurso use offset</translation>
         </message>
         <message>
             <source>a value in the expression does not fit its operation</source>
@@ -17807,6 +17831,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>an incremental move needs a known position</source>
             <translation>um movimento incremental precisa de uma posição conhecida</translation>
+        </message>
+        <message>
+            <source>an incremental word needs a known position</source>
+            <translation>uma palavra incremental precisa de uma posição conhecida</translation>
         </message>
         <message>
             <source>an input and output expander failed</source>
@@ -18755,6 +18783,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
             <translation>corner_radius_mm não pode passar da metade de diameter_mm</translation>
+        </message>
+        <message>
+            <source>correct Q, P or R</source>
+            <translation>corrija Q, P ou R</translation>
         </message>
         <message>
             <source>correct R or the end point</source>
@@ -21377,6 +21409,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nomeie-a uma só vez</translation>
         </message>
         <message>
+            <source>name its first and its last block</source>
+            <translation>indique o primeiro e o último bloco dele</translation>
+        </message>
+        <message>
             <source>name its insert, or its angles and nose radius</source>
             <translation>informe a pastilha, ou os ângulos e o raio de ponta</translation>
         </message>
@@ -21915,6 +21951,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>nothing that an axis moves weighs more than 100 t</source>
             <translation>nada que um eixo move pesa mais que 100 t</translation>
+        </message>
+        <message>
+            <source>number the profile's first and last block</source>
+            <translation>numere o primeiro e o último bloco do perfil</translation>
         </message>
         <message>
             <source>numbers 1 to {largest}</source>
@@ -24009,6 +24049,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a profundidade de corte é maior que a da ferramenta</translation>
         </message>
         <message>
+            <source>the depth of cut of {name} must be above 0</source>
+            <translation>a profundidade de corte de {name} deve ser maior que 0</translation>
+        </message>
+        <message>
             <source>the depth over the key</source>
             <translation>a profundidade sobre a chaveta</translation>
         </message>
@@ -25085,6 +25129,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o diâmetro menor não combina com o maior e o passo</translation>
         </message>
         <message>
+            <source>the mirror image of a lathe's X lies over the axis</source>
+            <translation>a imagem espelhada do X de um torno fica além do eixo</translation>
+        </message>
+        <message>
             <source>the motor of {name} may lose steps: at {speed:.4g} mm/s ({rpm_at:.0f} rpm) and {acceleration:.4g} mm/s² it has too little torque</source>
             <translation>o motor de {name} pode perder passos: a {speed:.4g} mm/s ({rpm_at:.0f} rpm) e {acceleration:.4g} mm/s² falta-lhe torque</translation>
         </message>
@@ -25461,6 +25509,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o perfil não tem a chave {key}</translation>
         </message>
         <message>
+            <source>the profile has no more than one move</source>
+            <translation>o perfil tem no máximo um movimento</translation>
+        </message>
+        <message>
             <source>the profile is closed: it has no end at the chuck</source>
             <translation>o perfil é fechado: não tem extremidade junto à placa</translation>
         </message>
@@ -25479,6 +25531,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the profile lies in the hole: there is nothing to bore</source>
             <translation>o perfil fica dentro do furo: não há o que mandrilar</translation>
+        </message>
+        <message>
+            <source>the profile of this cycle is in other blocks, which are not rewritten with it</source>
+            <translation>o perfil deste ciclo está em outros blocos, que não são reescritos com ele</translation>
         </message>
         <message>
             <source>the profile turns back along Z</source>
@@ -25527,6 +25583,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the program has no F word</source>
             <translation>o programa não tem palavra F</translation>
+        </message>
+        <message>
+            <source>the program has no block N{number}</source>
+            <translation>o programa não tem o bloco N{number}</translation>
         </message>
         <message>
             <source>the program has no end</source>
@@ -26347,6 +26407,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the word {letter} has no number that can be read</source>
             <translation>a palavra {letter} não tem um número que possa ser lido</translation>
+        </message>
+        <message>
+            <source>the words of G76 are the depths and angles of a thread, which no path edit changes</source>
+            <translation>as palavras do G76 são as profundidades e os ângulos de uma rosca, que nenhuma edição de percurso altera</translation>
         </message>
         <message>
             <source>the words of {codes} are not edited</source>
@@ -27629,6 +27693,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva 0 onde a borda não importa</translation>
         </message>
         <message>
+            <source>write 0.35 mm as 350</source>
+            <translation>escreva 0,35 mm como 350</translation>
+        </message>
+        <message>
             <source>write ATAN[y]/[x]</source>
             <translation>escreva ATAN[y]/[x]</translation>
         </message>
@@ -27753,16 +27821,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva M70 antes, na mesma sub-rotina</translation>
         </message>
         <message>
+            <source>write P010060, for example</source>
+            <translation>escreva P010060, por exemplo</translation>
+        </message>
+        <message>
             <source>write S before</source>
             <translation>escreva S antes</translation>
         </message>
         <message>
             <source>write T{number}, and keep the offset of the tool there</source>
             <translation>escreva T{number} e guarde ali o corretor da ferramenta</translation>
-        </message>
-        <message>
-            <source>write X and Z: coordinates from where the tool is are not read</source>
-            <translation>escreva X e Z: coordenadas a partir de onde a ferramenta está não são lidas</translation>
         </message>
         <message>
             <source>write X and the seconds</source>
@@ -27791,6 +27859,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write a G0 with numbers before it</source>
             <translation>escreva antes dele um G0 com números</translation>
+        </message>
+        <message>
+            <source>write a block {name} with {letters} before</source>
+            <translation>escreva antes um bloco {name} com {letters}</translation>
         </message>
         <message>
             <source>write a decimal number after the letter</source>
@@ -27967,6 +28039,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write its endif, endwhile, endrepeat, while or endsub</source>
             <translation>escreva o seu endif, endwhile, endrepeat, while ou endsub</translation>
+        </message>
+        <message>
+            <source>write its passes as moves: make the program again with canned = false</source>
+            <translation>escreva os passes como movimentos: gere o programa outra vez com canned = false</translation>
         </message>
         <message>
             <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
@@ -28729,6 +28805,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{length} caracteres, {text} com espaços</translation>
         </message>
         <message>
+            <source>{letter} and {axis} are the same axis</source>
+            <translation>{letter} e {axis} são o mesmo eixo</translation>
+        </message>
+        <message>
             <source>{letter} continues from the last point: neither with {other} nor under G91</source>
             <translation>{letter} continua a partir do ponto anterior: nem com {other} nem sob G91</translation>
         </message>
@@ -28751,6 +28831,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{letter} must be a whole number</source>
             <translation>{letter} deve ser um número inteiro</translation>
+        </message>
+        <message>
+            <source>{letter} of G76 has no point: it is in steps of the last digit</source>
+            <translation>{letter} do G76 não leva ponto: é dado em passos do último algarismo</translation>
         </message>
         <message>
             <source>{letter} of {name} must be {word} 0</source>
@@ -29009,6 +29093,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{name} precisa de I e J</translation>
         </message>
         <message>
+            <source>{name} needs its first block, with {letter}</source>
+            <translation>{name} precisa do primeiro bloco, com {letter}</translation>
+        </message>
+        <message>
             <source>{name} needs the spindle to turn</source>
             <translation>{name} precisa que o fuso gire</translation>
         </message>
@@ -29025,12 +29113,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{name} precisa do programa inteiro: o perfil é uma sub-rotina</translation>
         </message>
         <message>
+            <source>{name} needs the whole program: the profile is in other blocks</source>
+            <translation>{name} precisa do programa inteiro: o perfil está em outros blocos</translation>
+        </message>
+        <message>
             <source>{name} sends more than was asked for</source>
             <translation>{name} envia mais do que foi pedido</translation>
         </message>
         <message>
             <source>{name} takes no F: the spindle drives it</source>
             <translation>{name} não aceita F: o fuso o conduz</translation>
+        </message>
+        <message>
+            <source>{name} takes no {letter}</source>
+            <translation>{name} não aceita {letter}</translation>
         </message>
         <message>
             <source>{name} was set before</source>

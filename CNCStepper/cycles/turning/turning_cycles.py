@@ -8,8 +8,8 @@ from typing import Any
 
 from CNCStepper.cycles.turning.axis_drilling import drill_axis
 from CNCStepper.cycles.turning.grooves import groove, part
+from CNCStepper.cycles.turning.profile_path import finish
 from CNCStepper.cycles.turning.turn_face import face
-from CNCStepper.cycles.turning.turn_finish import finish
 from CNCStepper.cycles.turning.turn_rough import rough
 from CNCStepper.cycles.turning.turn_thread import thread, thread_warnings
 from CNCStepper.cycles.turning.turning_moves import TurningMoves

@@ -212,6 +212,7 @@ def _options(
         what = "the machine has no work offsets"
         raise JobError("work-offset", what, value=job.work_offset, limit="G54", advice="take out work_offset")
     by_hand = "M3" not in language.codes
+    x, y, z = machine.axes
     speeds = [f"tool {answer.tool}: {answer.figures['rpm']:g} rpm" for answer in answers] if by_hand else []
     return WriteOptions(
         units=job.units,
@@ -228,5 +229,6 @@ def _options(
         rapid_mm_min=machine.fastest_mm_min,
         x_is=job.x_is,
         incremental=job.distance == "incremental",
+        steps_per_mm=(x.steps_per_mm, y.steps_per_mm, z.steps_per_mm),
         turning_cycles=job.canned,
     )
