@@ -112,6 +112,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along Z, from there towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along a line or arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -204,11 +208,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At its end towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At the end face; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At the shoulder; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -233,6 +249,22 @@
         </message>
         <message>
             <source>Before zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin Chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin Fillet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -412,6 +444,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cone By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone by</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Constant Surface Speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -584,6 +628,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cutting hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cycle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -608,7 +656,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Depth of cut ap</source>
+            <source>Depth of cut (ap): of one pass at most, on the radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -720,7 +768,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>End Chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End Fillet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1053,6 +1125,10 @@
         </message>
         <message>
             <source>Greatest feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1480,6 +1556,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its two diameters, or an angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jaw Diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1533,6 +1613,10 @@
         </message>
         <message>
             <source>Kind</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Last Pass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1617,6 +1701,10 @@
         </message>
         <message>
             <source>Leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2892,10 +2980,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of the first pass</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3005,6 +3089,10 @@
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The force of all jaws, in newtons; 0: not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3513,6 +3601,14 @@
         </message>
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the cone begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the cone begins; 0: at a tip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4255,6 +4351,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along Z, from there towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along Z, mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4387,7 +4487,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At its end towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At the end face; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4396,6 +4504,10 @@
         </message>
         <message>
             <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At the shoulder; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4480,6 +4592,14 @@
         </message>
         <message>
             <source>Begin so much earlier on the same cut, so that no ridge stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4811,6 +4931,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone by</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Connect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5043,6 +5179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cutting hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cutting table A</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5115,7 +5255,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Depth of cut ap</source>
+            <source>Depth of cut (ap): of one pass at most, on the radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5459,7 +5599,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>End diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>End the search with the best so far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6168,6 +6320,10 @@
         </message>
         <message>
             <source>Grey values are from the chart; typed values replace them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6895,6 +7051,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its two diameters, or an angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jaw diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7088,6 +7248,10 @@
         </message>
         <message>
             <source>Leave out of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9675,10 +9839,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of the first pass</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9804,6 +9964,10 @@
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The force of all jaws, in newtons; 0: not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10875,6 +11039,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the cone begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the cone begins; 0: at a tip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the copies lie</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11316,6 +11488,10 @@
         </message>
         <message>
             <source>aluminium 6061</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12123,6 +12299,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>parting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>parting and grooving</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12484,6 +12664,10 @@
         </message>
         <message>
             <source>turning outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two diameters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16727,6 +16911,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a boring bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a bulge is not that of an arc in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16780,6 +16968,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a corner is either rounded (A) or broken (C)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a corner of the cone has {name}_chamfer_mm or {name}_fillet_mm, not both</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17199,6 +17391,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a parting blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17363,6 +17559,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a right-hand turning tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rotation of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17475,6 +17675,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a threading tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17512,6 +17716,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a transform must not collapse the curve</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a turning or boring tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20559,30 +20767,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>kind "turning" or "boring"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "boring"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "drill"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "parting"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "threading"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "turning", hand = "right"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20944,6 +21128,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>lower ap_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22347,6 +22535,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>radius at its end 0 mm or more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>radius {0} mm at z {1} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23692,6 +23884,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the computer was late with a pulse and stopped after {written} writes, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cone ends beyond the axis: angle_deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cone is wider than the bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26012,6 +26212,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the spindle speed is out of the spindle's range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the spindle turns at {rpm:.0f} rpm, the nearest of the machine's speeds to {wanted:.0f} rpm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29949,6 +30153,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Turn roughing</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnTaper</name>
+        <message>
+            <source>Turn cone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turns a cone by its diameters or its angle, without a profile</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

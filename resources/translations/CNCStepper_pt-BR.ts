@@ -112,6 +112,10 @@
             <translation>Ao longo de Z, de X ou do perfil</translation>
         </message>
         <message>
+            <source>Along Z, from there towards the chuck</source>
+            <translation>Ao longo de Z, dali em direção à placa</translation>
+        </message>
+        <message>
             <source>Along a line or arc</source>
             <translation>Ao longo de uma linha ou arco</translation>
         </message>
@@ -204,12 +208,24 @@
             <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
+            <source>At its end towards the chuck</source>
+            <translation>No fim dele, do lado da placa</translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
+            <source>At the end face; 0: none</source>
+            <translation>Na face; 0: nenhum</translation>
+        </message>
+        <message>
             <source>At the full depth, besides the last one</source>
             <translation>Na profundidade total, além do último</translation>
+        </message>
+        <message>
+            <source>At the shoulder; 0: none</source>
+            <translation>No encosto; 0: nenhum</translation>
         </message>
         <message>
             <source>Axis</source>
@@ -234,6 +250,22 @@
         <message>
             <source>Before zero</source>
             <translation>Antes do zero</translation>
+        </message>
+        <message>
+            <source>Begin Chamfer</source>
+            <translation>Chanfro inicial</translation>
+        </message>
+        <message>
+            <source>Begin Fillet</source>
+            <translation>Raio inicial</translation>
+        </message>
+        <message>
+            <source>Begin: chamfer</source>
+            <translation>Início: chanfro</translation>
+        </message>
+        <message>
+            <source>Begin: radius</source>
+            <translation>Início: raio</translation>
         </message>
         <message>
             <source>Below thickness times</source>
@@ -412,6 +444,18 @@
             <translation>Linhas comuns</translation>
         </message>
         <message>
+            <source>Cone By</source>
+            <translation>Cone por</translation>
+        </message>
+        <message>
+            <source>Cone by</source>
+            <translation>Cone por</translation>
+        </message>
+        <message>
+            <source>Cone length</source>
+            <translation>Comprimento do cone</translation>
+        </message>
+        <message>
             <source>Constant Surface Speed</source>
             <translation>Velocidade de corte constante</translation>
         </message>
@@ -584,6 +628,10 @@
             <translation>Corte</translation>
         </message>
         <message>
+            <source>Cutting hand</source>
+            <translation>Sentido de corte</translation>
+        </message>
+        <message>
             <source>Cycle</source>
             <translation>Ciclo</translation>
         </message>
@@ -608,8 +656,8 @@
             <translation>Profundidade de</translation>
         </message>
         <message>
-            <source>Depth of cut ap</source>
-            <translation>Profundidade de corte ap</translation>
+            <source>Depth of cut (ap): of one pass at most, on the radius</source>
+            <translation>Profundidade de corte (ap): no máximo por passe, no raio</translation>
         </message>
         <message>
             <source>Depth per pass</source>
@@ -720,8 +768,32 @@
             <translation>Elipse</translation>
         </message>
         <message>
+            <source>End Chamfer</source>
+            <translation>Chanfro final</translation>
+        </message>
+        <message>
+            <source>End Diameter</source>
+            <translation>Diâmetro final</translation>
+        </message>
+        <message>
+            <source>End Fillet</source>
+            <translation>Raio final</translation>
+        </message>
+        <message>
             <source>End angle</source>
             <translation>Ângulo final</translation>
+        </message>
+        <message>
+            <source>End diameter</source>
+            <translation>Diâmetro final</translation>
+        </message>
+        <message>
+            <source>End: chamfer</source>
+            <translation>Fim: chanfro</translation>
+        </message>
+        <message>
+            <source>End: radius</source>
+            <translation>Fim: raio</translation>
         </message>
         <message>
             <source>Ends that are nearer than this are moved together</source>
@@ -1054,6 +1126,10 @@
         <message>
             <source>Greatest feed</source>
             <translation>Maior avanço</translation>
+        </message>
+        <message>
+            <source>Grip</source>
+            <translation>Força de aperto</translation>
         </message>
         <message>
             <source>Half the width along its second axis</source>
@@ -1480,6 +1556,10 @@
             <translation>Seu nome nos arquivos de trabalho</translation>
         </message>
         <message>
+            <source>Its two diameters, or an angle</source>
+            <translation>Os dois diâmetros, ou um ângulo</translation>
+        </message>
+        <message>
             <source>Jaw Diameter</source>
             <translation>Diâmetro das castanhas</translation>
         </message>
@@ -1534,6 +1614,10 @@
         <message>
             <source>Kind</source>
             <translation>Tipo</translation>
+        </message>
+        <message>
+            <source>Last Pass</source>
+            <translation>Último passe</translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -1618,6 +1702,10 @@
         <message>
             <source>Leave</source>
             <translation>Sai</translation>
+        </message>
+        <message>
+            <source>Left on the cone for a last pass along it; 0: none</source>
+            <translation>Deixado no cone para um último passe ao longo dele; 0: nenhum</translation>
         </message>
         <message>
             <source>Left on the face for another operation</source>
@@ -2892,10 +2980,6 @@
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
         <message>
-            <source>The depth of one pass at most, on the radius</source>
-            <translation>A profundidade de um passe, no máximo, no raio</translation>
-        </message>
-        <message>
             <source>The depth of the first pass</source>
             <translation>A profundidade do primeiro passe</translation>
         </message>
@@ -3006,6 +3090,10 @@
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
             <translation>O plano na ponta de uma fresa em V ou de gravação; 0: ela é pontiaguda</translation>
+        </message>
+        <message>
+            <source>The force of all jaws, in newtons; 0: not known</source>
+            <translation>A força de todas as castanhas, em newtons; 0: não conhecida</translation>
         </message>
         <message>
             <source>The form of the cutter</source>
@@ -3514,6 +3602,14 @@
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
+        </message>
+        <message>
+            <source>Where the cone begins</source>
+            <translation>Onde o cone começa</translation>
+        </message>
+        <message>
+            <source>Where the cone begins; 0: at a tip</source>
+            <translation>Onde o cone começa; 0: numa ponta</translation>
         </message>
         <message>
             <source>Where the copies lie</source>
@@ -4255,6 +4351,10 @@
             <translation>Ao longo de Z, de X ou do perfil</translation>
         </message>
         <message>
+            <source>Along Z, from there towards the chuck</source>
+            <translation>Ao longo de Z, dali em direção à placa</translation>
+        </message>
+        <message>
             <source>Along Z, mm</source>
             <translation>Ao longo de Z, mm</translation>
         </message>
@@ -4387,8 +4487,16 @@
             <translation>Perguntar de novo</translation>
         </message>
         <message>
+            <source>At its end towards the chuck</source>
+            <translation>No fim dele, do lado da placa</translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
+        </message>
+        <message>
+            <source>At the end face; 0: none</source>
+            <translation>Na face; 0: nenhum</translation>
         </message>
         <message>
             <source>At the end of {0}</source>
@@ -4397,6 +4505,10 @@
         <message>
             <source>At the full depth, besides the last one</source>
             <translation>Na profundidade total, além do último</translation>
+        </message>
+        <message>
+            <source>At the shoulder; 0: none</source>
+            <translation>No encosto; 0: nenhum</translation>
         </message>
         <message>
             <source>At work: [{0}]({1}).</source>
@@ -4481,6 +4593,14 @@
         <message>
             <source>Begin so much earlier on the same cut, so that no ridge stays</source>
             <translation>Começa tanto antes no mesmo corte, para que não fique nenhuma rebarba</translation>
+        </message>
+        <message>
+            <source>Begin: chamfer</source>
+            <translation>Início: chanfro</translation>
+        </message>
+        <message>
+            <source>Begin: radius</source>
+            <translation>Início: raio</translation>
         </message>
         <message>
             <source>Begins at</source>
@@ -4811,6 +4931,22 @@
             <translation>Comparando o corte com o desenho…</translation>
         </message>
         <message>
+            <source>Cone</source>
+            <translation>Cone</translation>
+        </message>
+        <message>
+            <source>Cone by</source>
+            <translation>Cone por</translation>
+        </message>
+        <message>
+            <source>Cone length</source>
+            <translation>Comprimento do cone</translation>
+        </message>
+        <message>
+            <source>Cone turning</source>
+            <translation>Tornear cone</translation>
+        </message>
+        <message>
             <source>Connect</source>
             <translation>Conectar</translation>
         </message>
@@ -5043,6 +5179,10 @@
             <translation>Corte</translation>
         </message>
         <message>
+            <source>Cutting hand</source>
+            <translation>Sentido de corte</translation>
+        </message>
+        <message>
             <source>Cutting table A</source>
             <translation>Mesa de corte A</translation>
         </message>
@@ -5115,8 +5255,8 @@
             <translation>Profundidade</translation>
         </message>
         <message>
-            <source>Depth of cut ap</source>
-            <translation>Profundidade de corte ap</translation>
+            <source>Depth of cut (ap): of one pass at most, on the radius</source>
+            <translation>Profundidade de corte (ap): no máximo por passe, no raio</translation>
         </message>
         <message>
             <source>Depth per pass</source>
@@ -5459,8 +5599,20 @@
             <translation>Ângulo final</translation>
         </message>
         <message>
+            <source>End diameter</source>
+            <translation>Diâmetro final</translation>
+        </message>
+        <message>
             <source>End the search with the best so far</source>
             <translation>Terminar a busca com o melhor até agora</translation>
+        </message>
+        <message>
+            <source>End: chamfer</source>
+            <translation>Fim: chanfro</translation>
+        </message>
+        <message>
+            <source>End: radius</source>
+            <translation>Fim: raio</translation>
         </message>
         <message>
             <source>Ends joined</source>
@@ -6169,6 +6321,10 @@
         <message>
             <source>Grey values are from the chart; typed values replace them</source>
             <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
+        </message>
+        <message>
+            <source>Grip</source>
+            <translation>Força de aperto</translation>
         </message>
         <message>
             <source>Groove</source>
@@ -6895,6 +7051,10 @@
             <translation>Depois disso a posição é desconhecida: referencie a máquina ou defina o zero.</translation>
         </message>
         <message>
+            <source>Its two diameters, or an angle</source>
+            <translation>Os dois diâmetros, ou um ângulo</translation>
+        </message>
+        <message>
             <source>Jaw diameter</source>
             <translation>Diâmetro das castanhas</translation>
         </message>
@@ -7089,6 +7249,10 @@
         <message>
             <source>Leave out of the program</source>
             <translation>Deixar fora do programa</translation>
+        </message>
+        <message>
+            <source>Left on the cone for a last pass along it; 0: none</source>
+            <translation>Deixado no cone para um último passe ao longo dele; 0: nenhum</translation>
         </message>
         <message>
             <source>Left on the face for another operation</source>
@@ -9675,10 +9839,6 @@
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
         <message>
-            <source>The depth of one pass at most, on the radius</source>
-            <translation>A profundidade de um passe, no máximo, no raio</translation>
-        </message>
-        <message>
             <source>The depth of the first pass</source>
             <translation>A profundidade do primeiro passe</translation>
         </message>
@@ -9805,6 +9965,10 @@
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
             <translation>O plano na ponta de uma fresa em V ou de gravação; 0: ela é pontiaguda</translation>
+        </message>
+        <message>
+            <source>The force of all jaws, in newtons; 0: not known</source>
+            <translation>A força de todas as castanhas, em newtons; 0: não conhecida</translation>
         </message>
         <message>
             <source>The form of the cutter</source>
@@ -10875,6 +11039,14 @@
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
         </message>
         <message>
+            <source>Where the cone begins</source>
+            <translation>Onde o cone começa</translation>
+        </message>
+        <message>
+            <source>Where the cone begins; 0: at a tip</source>
+            <translation>Onde o cone começa; 0: numa ponta</translation>
+        </message>
+        <message>
             <source>Where the copies lie</source>
             <translation>Onde estão as cópias</translation>
         </message>
@@ -11317,6 +11489,10 @@
         <message>
             <source>aluminium 6061</source>
             <translation>alumínio 6061</translation>
+        </message>
+        <message>
+            <source>an angle</source>
+            <translation>um ângulo</translation>
         </message>
         <message>
             <source>and {0} more</source>
@@ -12123,6 +12299,10 @@
             <translation>papel</translation>
         </message>
         <message>
+            <source>parting</source>
+            <translation>bedame</translation>
+        </message>
+        <message>
             <source>parting and grooving</source>
             <translation>sangrar e cortar</translation>
         </message>
@@ -12485,6 +12665,10 @@
         <message>
             <source>turning outside</source>
             <translation>tornear por fora</translation>
+        </message>
+        <message>
+            <source>two diameters</source>
+            <translation>dois diâmetros</translation>
         </message>
         <message>
             <source>unit</source>
@@ -16749,6 +16933,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma barra de {diameter:g} x {length:g} mm não contém material</translation>
         </message>
         <message>
+            <source>a boring bar</source>
+            <translation>uma barra de mandrilar</translation>
+        </message>
+        <message>
             <source>a bulge is not that of an arc in mm</source>
             <translation>um bulge não é o de um arco em mm</translation>
         </message>
@@ -16803,6 +16991,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a corner is either rounded (A) or broken (C)</source>
             <translation>um canto é arredondado (A) ou chanfrado (C)</translation>
+        </message>
+        <message>
+            <source>a corner of the cone has {name}_chamfer_mm or {name}_fillet_mm, not both</source>
+            <translation>um canto do cone tem {name}_chamfer_mm ou {name}_fillet_mm, não os dois</translation>
         </message>
         <message>
             <source>a corner of the mesh is no number</source>
@@ -17221,6 +17413,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma peça ou um valor mudou desde que as peças foram aninhadas</translation>
         </message>
         <message>
+            <source>a parting blade</source>
+            <translation>um bedame</translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation>um caminho não tem comprimento ou tem uma coordenada que não é um comprimento em mm</translation>
         </message>
@@ -17385,6 +17581,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um pedido sem a chave da sessão</translation>
         </message>
         <message>
+            <source>a right-hand turning tool</source>
+            <translation>uma ferramenta de tornear à direita</translation>
+        </message>
+        <message>
             <source>a rotation of {0}</source>
             <translation>uma rotação de {0}</translation>
         </message>
@@ -17497,6 +17697,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma rosca mantém seu avanço por volta: um percurso com {owner} não é escalado</translation>
         </message>
         <message>
+            <source>a threading tool</source>
+            <translation>uma ferramenta de roscar</translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation>uma tolerância deve ser maior que 0</translation>
         </message>
@@ -17535,6 +17739,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a transform must not collapse the curve</source>
             <translation>uma transformação não pode achatar a curva</translation>
+        </message>
+        <message>
+            <source>a turning or boring tool</source>
+            <translation>uma ferramenta de tornear ou de mandrilar</translation>
         </message>
         <message>
             <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
@@ -20581,30 +20789,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>kerf_mm não é o que esta ferramenta corta</translation>
         </message>
         <message>
-            <source>kind "turning" or "boring"</source>
-            <translation>kind "turning" ou "boring"</translation>
-        </message>
-        <message>
-            <source>kind = "boring"</source>
-            <translation>kind = "boring"</translation>
-        </message>
-        <message>
-            <source>kind = "drill"</source>
-            <translation>kind = "drill"</translation>
-        </message>
-        <message>
-            <source>kind = "parting"</source>
-            <translation>kind = "parting"</translation>
-        </message>
-        <message>
-            <source>kind = "threading"</source>
-            <translation>kind = "threading"</translation>
-        </message>
-        <message>
-            <source>kind = "turning", hand = "right"</source>
-            <translation>kind = "turning", hand = "right"</translation>
-        </message>
-        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation>cortes grandes estão sendo preparados, uma vez após a instalação</translation>
         </message>
@@ -20967,6 +21151,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>lower ap_mm</source>
             <translation>diminua ap_mm</translation>
+        </message>
+        <message>
+            <source>lower it</source>
+            <translation>diminua-o</translation>
         </message>
         <message>
             <source>lower spindle_rpm</source>
@@ -22369,6 +22557,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>raio 0 mm</translation>
         </message>
         <message>
+            <source>radius at its end 0 mm or more</source>
+            <translation>raio no fim de 0 mm ou mais</translation>
+        </message>
+        <message>
             <source>radius {0} mm at z {1} mm</source>
             <translation>raio {0} mm em z {1} mm</translation>
         </message>
@@ -23715,6 +23907,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the computer was late with a pulse and stopped after {written} writes, {at_ns:.3f} s from the begin; spindle, beam and drives are off, and steps may be lost</source>
             <translation>o computador se atrasou com um pulso e parou após {written} escritas no prazo, {at_ns:.3f} s depois do início; fuso, feixe e motores estão desligados, e passos podem ter sido perdidos</translation>
+        </message>
+        <message>
+            <source>the cone ends beyond the axis: angle_deg</source>
+            <translation>o cone termina além do eixo: angle_deg</translation>
+        </message>
+        <message>
+            <source>the cone is wider than the bar</source>
+            <translation>o cone é mais largo que a barra</translation>
         </message>
         <message>
             <source>the configuration is not valid</source>
@@ -26035,6 +26235,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the spindle speed is out of the spindle's range</source>
             <translation>a rotação está fora da faixa do fuso</translation>
+        </message>
+        <message>
+            <source>the spindle turns at {rpm:.0f} rpm, the nearest of the machine's speeds to {wanted:.0f} rpm</source>
+            <translation>o fuso gira a {rpm:.0f} rpm, a rotação da máquina mais próxima de {wanted:.0f} rpm</translation>
         </message>
         <message>
             <source>the spindle's speed is set by hand</source>
@@ -29972,6 +30176,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Turn roughing</source>
             <translation>Desbaste no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnTaper</name>
+        <message>
+            <source>Turn cone</source>
+            <translation>Tornear cone</translation>
+        </message>
+        <message>
+            <source>Turns a cone by its diameters or its angle, without a profile</source>
+            <translation>Torneia um cone pelos diâmetros ou pelo ângulo, sem perfil</translation>
         </message>
     </context>
     <context>

@@ -48,6 +48,7 @@ def test_a_shaft_by_mouse_and_keyboard(hand: Hand) -> None:
     hand.wait(lambda: the("LatheJob").Length.Value == 90, 10, "the bar")
     hand.shot("lathe-1-job")
     accept(hand)
+    assert hand.main(lambda: the("TurningTool").Label) == "T1 CNMG 120408"
     begin(hand, "CNCStepper_TurningProfile")
     rows(hand, "24; 0", "24; -30; fillet 2", "36; -40", "36; -50")
     hand.wait(lambda: len(the("TurningProfile").Points) == 4, 10, "the rows")
