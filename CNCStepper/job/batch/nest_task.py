@@ -19,7 +19,6 @@ from CNCStepper.drawing.writers.dxf_writer import dxf_bytes
 from CNCStepper.job.batch.sheet_template import cut_chains, layer_of, sheet_size_mm, template_of
 from CNCStepper.job.batch.task_files import below
 from CNCStepper.job.nesting.nest_files import density_of, placements_json, remnant_drawing, remnants
-from CNCStepper.job.nesting.nest_picture import save_nest_picture
 from CNCStepper.job.nesting.order_file import Order, named, outline_region
 from CNCStepper.job.nesting.shared_cuts import placed_chain
 from CNCStepper.job.templates.template import Template
@@ -120,6 +119,8 @@ def _counts(layout: Layout, number: int, items: int) -> list[int]:
 
 def _files(group: int, template: Template, order: Order, layout: Layout, out: Path) -> dict[str, bytes]:
     """Return the files of a layout; the drawings of the sheets have their zero where the template has it."""
+    from CNCStepper.job.nesting.nest_picture import save_nest_picture  # a third of the start of a worker
+
     wide_mm, deep_mm = order.sheets[0].outline.bounds[2:]
     shift = (-wide_mm / 2.0, -deep_mm / 2.0) if template.stock.origin == "top-centre" else (0.0, 0.0)
     files = {f"placements-{group}.json": placements_json(layout).encode("utf-8")}
