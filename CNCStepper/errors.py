@@ -50,6 +50,11 @@ class Text(str):
         text.template, text.values = template, kept
         return text
 
+    def translated(self, look_up: Callable[[str], str]) -> str:
+        """Return the text in another language: template and values of type str looked up, numbers as they are."""
+        values = {name: _translated(value, look_up) for name, value in self.values.items()}
+        return look_up(self.template).format_map(values)
+
     def __reduce__(self) -> tuple[Callable[..., Text], tuple[str, dict[str, Any]]]:
         return _text, (self.template, self.values)
 
@@ -65,6 +70,12 @@ def _value(value: object) -> Any:
     if isinstance(value, ValueError) and value.args and isinstance(value.args[0], Text):  # of a model's own check
         return value.args[0]
     return value.text if isinstance(value, CNCStepperError) else str(value)
+
+
+def _translated(value: Any, look_up: Callable[[str], str]) -> Any:
+    if isinstance(value, Text):
+        return value.translated(look_up)
+    return look_up(value) if isinstance(value, str) and value else value
 
 
 def _text(template: str, values: dict[str, Any]) -> Text:

@@ -40,6 +40,7 @@ FIRST = (
 PIXEL_DIFFERS = 32  # of 255, in any colour
 PIXELS_DIFFER = 0.001  # share of all pixels
 
+os.environ.setdefault("CNCSTEPPER_LANGUAGE", "en")  # what tests compare is English, whatever the desk speaks
 settings.register_profile("desk", deadline=None, print_blob=True)
 settings.register_profile("ci", deadline=None, print_blob=True, derandomize=True)
 settings.load_profile("ci" if os.environ.get("CI") else "desk")

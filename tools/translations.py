@@ -9,6 +9,8 @@ Where a text belongs (its context) is where FreeCAD or we look it up:
     CNCStepper       `tr("…")` and `later("…")`
     App::Property    names, groups and texts of properties, for FreeCAD's property editor
     a command's name and Workbench: `QT_TRANSLATE_NOOP("context", "…")`
+    CNCStepper cli   help and texts of the command line (command_line_texts.py); Python's gettext looks these and the
+                     core's up, in a catalogue that is derived here
     CNCStepper core  sentences of errors and findings; of one with values, `Text("… {key} …", key=…)`, the template
 """
 
@@ -16,6 +18,7 @@ from __future__ import annotations
 
 import argparse
 import ast
+import importlib
 import os
 import re
 import shutil
@@ -25,12 +28,13 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 
 ROOT = Path(__file__).resolve().parents[1]
 DEBIAN_QT = "/usr/lib/qt5/bin"
 FOLDER = ROOT / "resources" / "translations"
 LANGUAGES = {"": "en", "_pt-BR": "pt_BR"}
-OURS, PROPERTY, CORE = "CNCStepper", "App::Property", "CNCStepper core"
+OURS, PROPERTY, CORE, CLI = "CNCStepper", "App::Property", "CNCStepper core", "CNCStepper cli"
 CORE_ROOMS = (
     "gcode",
     "geometry",
@@ -115,7 +119,22 @@ def texts() -> dict[Text, str]:
         found.setdefault(text, f"parameters of {cycle}")
     for text, kind in library_texts():
         found.setdefault(text, f"the shape {kind}")
+    for sentence, place in command_line_texts().texts_of_command_line():
+        found.setdefault(Text(CLI, sentence), place)
     return found
+
+
+def command_line_texts() -> ModuleType:
+    """Return the module beside this one that knows the command line, also where this one is no script."""
+    sys.path.append(str(ROOT / "tools"))
+    return importlib.import_module("command_line_texts")
+
+
+def of_command_line(translations: dict[Text, str]) -> dict[str, str]:
+    """Return the translations that the command line looks up: those of the core, its own before them."""
+    return {
+        text.source: said for context in (CORE, CLI) for text, said in translations.items() if text.context == context
+    }
 
 
 def declared_texts() -> Iterator[tuple[Text, str]]:
@@ -323,7 +342,15 @@ def update() -> int:
         if suffix:
             waiting += sum(not translation for translation in translations.values())
             compile_(path)
+            write_command_line(translations)
     return waiting
+
+
+def write_command_line(translations: dict[Text, str]) -> None:
+    """Write the catalogue of the command line."""
+    module = command_line_texts()
+    module.CATALOGUE.parent.mkdir(parents=True, exist_ok=True)
+    module.CATALOGUE.write_bytes(module.catalogue_bytes(of_command_line(translations)))
 
 
 def compile_(path: Path) -> None:

@@ -12,6 +12,7 @@ from typing import Any
 import click
 
 from CNCStepper import __version__, kernel_cache
+from CNCStepper.cli.common.language import choose_language, in_language, look_up, show_text, translated
 from CNCStepper.cli.common.option_hints import show_hints
 from CNCStepper.errors import CNCStepperError
 
@@ -119,20 +120,23 @@ class _Verbs(click.Group):
         if name in SHORT and "CNCStepper.kernels" not in sys.modules:
             kernel_cache.postponed = True
         module = OTHER_NAMES.get(name, name).replace("-", "_")
-        return importlib.import_module(f"CNCStepper.cli.{FAMILY_OF[name]}.{module}").command
+        return in_language(importlib.import_module(f"CNCStepper.cli.{FAMILY_OF[name]}.{module}").command)
 
     def invoke(self, context: click.Context) -> Any:
         """Run the verb; Ctrl+C ends it with the status that shells give a program which it has stopped."""
         try:
             return super().invoke(context)
+        except click.ClickException as error:
+            error.message = translated(error.message)  # type: ignore[misc]
+            raise
         except KeyboardInterrupt:
-            click.echo("cncstepper: stopped by Ctrl+C before it was done", err=True)
+            show_text("cncstepper: stopped by Ctrl+C before it was done", err=True)
             sys.exit(STOPPED)
 
     def format_commands(self, context: click.Context, formatter: click.HelpFormatter) -> None:
         for title, verbs in FAMILIES.values():
-            with formatter.section(title):
-                formatter.write_dl(list(verbs.items()))
+            with formatter.section(look_up(title)):
+                formatter.write_dl([(verb, look_up(text)) for verb, text in verbs.items()])
 
 
 @click.command(cls=_Verbs, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
@@ -144,16 +148,18 @@ def group() -> None:
 def main() -> None:
     """Run the command line; a refusal is one sentence on standard error and exit status 1."""
     gc.set_threshold(YOUNG_OBJECTS)
+    choose_language()
     for stream in (sys.stdout, sys.stderr):  # a console that cannot show a character must not stop a cut
         stream.reconfigure(errors="replace")  # type: ignore[union-attr]
     try:
-        group(prog_name="cncstepper")
+        in_language(group)(prog_name="cncstepper")
     except CNCStepperError as error:
-        click.echo(f"cncstepper: {error}", err=True)
+        show_text("cncstepper: {error}", err=True, error=error)
         show_hints([error])
         sys.exit(1)
     except OSError as error:  # a folder that is not there, a disk that is full: the system's own words say it
-        click.echo(f"cncstepper: {error.filename or 'a file'}: {error.strerror or error}", err=True)
+        file = error.filename or look_up("a file")
+        show_text("cncstepper: {file}: {error}", err=True, file=file, error=error.strerror or error)
         sys.exit(1)
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, get_args
 
-from CNCStepper.errors import Place
+from CNCStepper.errors import Place, Text, joined
 
 Severity = Literal["error", "warning", "info"]
 SEVERITIES: tuple[Severity, ...] = get_args(Severity)  # the worst first
@@ -41,19 +41,30 @@ class Finding:
     at_first: bool = field(default=True, compare=False, repr=False)
 
     def __str__(self) -> str:
-        numbers = [
-            f"{name} {number:.7g} {self.unit}".rstrip()
-            for name, number in (("value", self.value), ("limit", self.limit))
-            if number is not None
-        ]
-        more = [f"{self.count} moves"] if self.count > 1 else []
+        return str(self.line)
+
+    @property
+    def line(self) -> Text:
+        """The whole finding on one line, as `str()` gives it in English."""
+        told = Text("{text} ({numbers})", text=self.text, numbers=numbers) if (numbers := self._numbers) else self.text
+        sentence = joined("; ", filter(None, (told, self.advice)))
+        begin = f"{self.place}: {self.severity}"
+        return Text("{begin}: {sentence} [{code}]", begin=begin, sentence=sentence, code=self.code)
+
+    @property
+    def _numbers(self) -> str:
+        """Where on the part, value, limit and how many moves, as far as they are known."""
+        parts = list[Text]()
         if self.place_mm is not None:
-            numbers.insert(
-                0, "at " + " ".join(f"{n}{v + 0.0:.7g}" for n, v in zip("XYZ", self.place_mm, strict=False)) + " mm"
-            )
-        brackets = f" ({', '.join(numbers + more)})" if numbers or more else ""
-        advice = f"; {self.advice}" if self.advice else ""
-        return f"{self.place}: {self.severity}: {self.text}{brackets}{advice} [{self.code}]"
+            words = (f"{name}{mm + 0.0:.7g}" for name, mm in zip("XYZ", self.place_mm, strict=False))
+            parts.append(Text("at {place} mm", place=" ".join(words)))
+        if self.value is not None:
+            parts.append(Text("value {value}", value=f"{self.value:.7g} {self.unit}".rstrip()))
+        if self.limit is not None:
+            parts.append(Text("limit {limit}", limit=f"{self.limit:.7g} {self.unit}".rstrip()))
+        if self.count > 1:
+            parts.append(Text("{count} moves", count=self.count))
+        return joined(", ", parts)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the finding with the keys of the JSON report."""

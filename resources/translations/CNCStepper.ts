@@ -12528,6 +12528,2671 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper cli</name>
+        <message>
+            <source>   not placed: {count} of {name}: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>   not placed: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>   note: spyrrow is not installed; our own search alone is slower: pip install spyrrow</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>   note: {note}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>   sheet {number}: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>  13           press pin 13 for 0.3 s
+  press 13     press it until it is released
+  release 13   release it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>  P            press the probe's pin for 0.3 s; also X Y Z (limit switches), D door, R reset, H hold, S cycle start
+  press P      press it until it is released
+  release P    release it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>  [[press]]
+  pin = "P"
+  at_s = 2.5
+  for_s = 0.3</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>  [[press]]
+  pin = 13
+  at_s = 2.5
+  for_s = 0.3</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>  cncstepper axis --screw 6 --gear 5 --steps 48 --distance 250 --feed 500
+  cncstepper axis --screw 6 --gear 5 --encoder 48 --encoder-gear 4 --distance 250 --feed 500
+  cncstepper axis --belt 2 --teeth 20 --microsteps 16
+  cncstepper axis --machine table.toml --axis x         of a profile with [axis.x.drive]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>  cncstepper feeds --material plywood --tool flat:6
+  cncstepper feeds --material pvc --turn 100 --depth 3 --feed 3 --power 386</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>  cncstepper part-records --height 150 --diameter 50 150.02,49.98,50.01,50.00 149.97,50.03,50.02,49.99</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{path}' is {kind}, not a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{text}' is no override: write for example feed +10, or flood</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{value}' is no bar: write its diameter and length in mm, such as 55x170</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{value}' is not a height and three diameters, such as 150.02,49.98,50.01,50.00</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{value}' is not a number above {least:g} with a decimal point, such as 1.5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{value}' is not a number with a decimal point, such as 1.5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{value}' is not two numbers in mm with decimal points, such as 50,35</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{value}' is not {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{way}' is no way: write for example X10, or X-2.5 Y3 (mm)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{words}' is no speed: write for example F500 (mm/min)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>(Did you mean one of: {possibilities}?)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>, {volume:.3g} cm³ removed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--back is by the planner: the profile's interpolation is another</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--bar is the stock of a lathe: leave --stock and --job out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--belt and --teeth belong together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--coils belongs to --as coils</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--despite-certificate goes with --certificate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--dialect says how a program is read: linuxcnc knows parameters, expressions and O-words</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--firmware grblhal has 1023 bytes, lines of 255 characters, and waits at M6 in the state Tool. fluidnc has lines of 254 characters, and its settings can only be read. Without --machine the settings are those of table-a. With --typed these lines press its input pins:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--job says the stock and the tools: leave --stock and --tool out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--leave-out leaves out what the target lacks: spindle, coolant, dwell, pause or tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--machine and --axis belong together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--machine needs --template: a template says how the sheets are cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--material, --thickness and --machine (or --job) go together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--part goes with --job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--part goes with a job that is split into a program a tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--position X,Y,Z says where the machine stands at first, --parameters FILE the places of G28 and G30</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--press reads the same from a file, in seconds since its start:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--press reads the same from a file, in seconds since the first client has connected:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--read-at is for a turned part: give --bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--scale is for STL; {name} says its unit itself</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--search FOLDER says where else the files of subroutines stand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--step waits at each line, --resume-pauses at none: give one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--tool goes with --stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--tool-table FILE tells the tools' lengths and diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--tool-table and --parameters are the files that `rs274 -t` and `rs274 -v` take: as there, the machine's own unit is the inch, whatever the program's is.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--turn needs --depth and --feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--turning-tool and --face go with --bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>--without-stock goes without --job, --stock and --tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>... {lines} more lines; --diff shows all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A LinuxCNC tool table in mm: lengths for G43, diameters for G41 and G42.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A PNG of the end stands there at once, plain, until the full one takes its place. With --work-zero the pictures of one view show the machine's work surface. --bar and --turning-tool, or the job of a lathe, give the half section of a turned part. Exit 1 when a finding is an error.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A backup is a text of lines $100=80, as $$ prints it and other senders save it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A connection that a window has open is closed too. It is refused while a job runs or something moves there. When the port is opened again many boards restart and forget where they stand.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A controller is asked with `?`, `$I`, `$$`, `$#` and `$G`, which change nothing; but many boards restart when their port is opened, so do not ask one that is cutting. Over a network give its URL: socket://HOST:PORT, telnet://HOST (port 23), rfc2217://HOST:PORT. Exit status 1 when one of the ports given does not answer.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A copy's work zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A dask scheduler: tcp://127.0.0.1:8786 or tls://HOST:8786.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A folder of subroutines, looked through after the program's own; may be given more than once.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A job that is split into a program a tool needs --part: the programs before it are made anew and taken as cut. A lathe's program is found among those of its job by its moves, where --part does not say which it is. A block that moves is a line of PROGRAM, counted once however often it is run. Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of the program on the table is reported as unknown.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A jog ($J) leaves the program's modes unchanged. Ctrl-C cancels it and keeps the position. The position need not be known. The controller refuses a jog beyond its travel if soft limits are on ($20=1).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lathe's stock: diameter x length from the chuck's face to z = 0, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A lathe's tool: CNMG120408, boring:CCMT060204, parting:3, drill:10; 2=drill:10 is tool 2.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A machine that still moves is held first. The tool then follows the program's path backwards, arcs and helices too. Every line is checked before the machine moves. Each move begins with a reset of the controller at standstill, which stops the spindle. The spindle starts again and reaches its speed before the tool moves. With [retreat] outputs = "off" in the machine profile it stays off, and so does every laser.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A profile's name (table-a) or its TOML file.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A profile, or the path of one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217). For a machine whose pulses this computer makes also a parallel port (/dev/parport0), or record:FILE, which records the pulses as CSV.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A serial port (COM3, /dev/ttyUSB0; `cncstepper ports` lists them) or a URL (socket://127.0.0.1:2217, telnet://fluidnc.local, rfc2217://host:port); of a machine that this computer controls also /dev/parport0 or record:FILE.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A shipped profile, or the path of one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>A stretch of cuts between two rapids, by its number.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Aborted!</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All axes times this.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Also replace files that CNCStepper did not make.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Also while `cncstepper send` pauses at that port, at an M0 or a change of tools: what follows moves with the zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Also write the certificate there, for `send`.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Also write the part there, as STL in mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Also write the report there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>An operation of the program, by its name or its number.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Angles are of the shaft that is counted: the motor's, or the encoder's. In the workings p is the travel a turn of screw or pulley, n the pulses for it, x the distance, v the feed.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Another name of `send`.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs need the same factor for both axes of their plane.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arcs stay arcs, units follow the first program, and each tool is changed to once where the order of work allows it. Each copy is an operation, at which a restart may begin. The result is read back and, with --machine, checked.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Argument {name!r} takes {nargs} values.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As the chart calls it: 45A, co2-60w ...</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As the chart calls it: mild-steel, acrylic ...</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ask what answers at this port or URL; repeatable.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At a parallel port or a USB board --machine names the controller of ours that --port starts. It can neither home nor probe: set the work zero with `cncstepper zero` first. What a machine cannot do is printed before the first line. Programs of the mini-lathe, and pulse letters, cannot be restarted in the middle: send them whole.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At a pause (M0, or M6 of grblHAL) and between two lines with --step a beam is off. Enter resumes and s stops. "x10 y-5 z0.1" jogs by these mm ("f100": at 100 mm/min), "zero z" sets the work zero of Z, "all" ends --step. "feed -10", "spindle +10", "rapid 50" and "flood" change the overrides; "?" lists them. After a jog the tool returns before the job resumes: up, across, and slowly down to where the program stopped.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At a pause of the program (M0) it prints the reason, for example a tool change, and moves nothing. Do what it asks, then give --pause. The job was sent by `cncstepper send` from any terminal, also a closed one, or from FreeCAD's window. `cncstepper hold` holds it, `cncstepper stop` ends it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At each corner mark the tool's place on the table. With steps_per_mm right, one distance is enough: that of the ends of both sides (3-4-5); two diagonals need no right steps_per_mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Back up, compare and restore a controller's settings.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Back up, compare and restore the settings ($$) of a controller, or make a machine profile of them.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Baud rate of its serial link.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Be a controller without hardware.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin each run of G01 at the index of the spindle's encoder.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Beside the controller's own lines it knows: ? ! ~ stop home unlock zero jog feed rapid spindle flood mist history help quit; help says what each does. Lines with bytes that act at once (! ? ~ and what is not ASCII) are refused. While the position is unknown, after a restart or an alarm that lost it, in an earlier connection too, only homing, jog, unlock, questions and settings are accepted; zero of all axes makes it known too. What the controller says by itself, an alarm for example, is shown as it comes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between cuts, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between pieces, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Between the outlines of parts. [default: the margin]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Bytes of its receive buffer; the source does not give them.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Calculate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Certificate of the cluster's authority.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Chains left out up to, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Change a program: VERB --help describes each verb.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Change feed, rapid, spindle or coolant of a job that runs.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Change keys of a profile: axis.x.steps_per_mm=80, planner.ramp=s_curve, outputs.coolant="['mist']".</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Change programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Change the speeds or the coolant of the job that runs, while it moves or stands, and print what is in force.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Change what differs with `cncstepper machine set`, or in the file itself.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with --job gouge and material left, clamps and the sheet's edge too. --bar and --turning-tool are those of a lathe.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Check a program against a machine; exit 0 clean, 1 refused.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Choose from:
+	{choices}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Close a connection that verbs have left open.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Close the connection to a controller that home, zero, jog, console, send or restart have left open.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Closed loop: pulses of the encoder a turn.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Come to one place from both sides, ask what a dial shows there, and propose the axis' backlash_mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Command a length, ask for the measured one, repeat, and correct the axis' steps_per_mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Commands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Compare the controller at --port with OTHER: a backup's file, or a machine profile by its name.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies may cut into each other.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Copies of each program in turn. [default: 1]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Could not open file {filename!r}: {message}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Create a link to a pseudo-terminal at this path (not on Windows).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ctrl-C holds the machine and asks what to do; a second Ctrl-C stops the job. This stop is not an emergency stop. If the job went on after a question, your answer is ignored and you are asked again. `cncstepper hold`, `go`, `stop`, `override` and `back` act on the job from any terminal, also after this one is closed. Without a terminal (standard input at its end) the machine waits at each pause and hold for one of them. Ctrl-C then holds it, and stops it there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut SOLID (STL, STEP, BREP or FCStd) into sheets of a thickness along an axis.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut a solid into sheets of a thickness: drawings, marks, nested pieces.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut charts: feed, kerf, pierce and power for process, material and thickness.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut every contour the other way round.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut every contour the other way round: climb milling becomes conventional.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut facing edges of neighbours once; the order's gap must be 0.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut so many mm before the place again, within its cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>DIR/sheet-N.dxf, DIR/remnant-N-M.dxf, DIR/placements.json and DIR/nest.png are written. Ctrl+C ends the search with the best layout so far. The last line is the density: the parts' area by that of the sheets used. Exit 1 when parts have no place; each is told with the reason.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>DIR/slice-NNN.dxf has the outlines (layer CUT), registration holes and the number of each sheet; DIR/slices.json the places and volumes, DIR/assembled.png the stack. With --sheet the pieces are nested: sheet-N.dxf, placements.json. With --template each nested sheet gets job, program, report and certificate: job-N.toml, job-N.nc. Its rules take the layers CUT, REGISTRATION and MARK. Exit 1 when a piece has no place or a sheet no sound program.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Degrees, counter-clockwise seen from above.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Did you mean {possibility}?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Do you want to continue?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Draw it, with what is wrong marked: .png or .svg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Draw the mean diameters into this file: .png, .svg or .pdf.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Draw the part that a program cuts.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Draw the readings into this file: .png, .svg or .pdf.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Draw what PROGRAM leaves of the stock, at its end or at a moment; times are the job's machine's or table-a's unless told.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drive a circle in air, clockwise, from here; its centre lies on X in the positive direction.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drive a square in air, from here along X and Y in their positive directions, and back to here.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drive to the corners of a rectangle, ask for its diagonals, and print the angle between X and Y.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Each sets all modes at its begin and switches off at its end.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Each start is reached in the sense of the length, so that backlash does not count. Prints mean and standard deviation, and proposes the corrected value, which is written into the profile if you say so. A controller of grbl's family has steps per mm of its own ($100 to $102): it is offered the same value.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End a job that runs.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End the job that runs: hold, standstill, reset; spindle, torch, laser and coolant off, the position kept.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End when the client disconnects, or when none connects within 30 s.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Error: invalid input</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Error: {message}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Every F word times this: 0.8 is a fifth slower.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Every job that is sent has a journal, in which each line stands before it goes out. After a crash of the computer or of the sender, a cut cable or a power loss, it tells which lines are certainly cut, which may be, and which are certainly not, whether the machine must be homed, and the command that restarts the program. Nothing is sent from here. A job that still runs is refused.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Everything before that place counts as cut. The tool goes up and over the place, the spindle starts, and the tool goes down at the plunge feed; a beam is switched on at the bottom. Offsets and modes are those of the undisturbed run, and the program's own lines follow unchanged. If the place cannot be entered, an earlier place is used and printed.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Exit 0 when the restart is clean (and, with --port, done), else 1.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>F of rapids in mm/min, for Marlin.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FIND is a regular expression, NEW may name its groups: \1.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Find and replace in the code: PROGRAM F800 F650.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Folder for all files of the order.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Folder for drawings, list and pictures.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Folder for drawings, placements, picture.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Folder for the programs.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Folder for the results.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>For a lathe give --turn, --depth and --feed in place of --tool. Printed are the force, power and torque of the cut, the nearest of the machine's preset speeds, and what is too weak: motor, chuck or bar.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From a drawing to a cut part on stepper-driven machines.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From one to the next.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From which it comes, in mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Full steps of the motor a turn. [default: 200]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Gaps closed by a line, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Give every line with code an N word: N10, N20, N30.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go back along the cut of a held job, forward again, and go on.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go back by this length along the cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go back to where line N of the program begins.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go back to where the tool last began to go down into the work.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go forward again: by MM, or without a number to where the cut ended.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go on after an interruption</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go on with a program from a place in its middle: checked, written or sent.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Go up to this Z first. [default: the program's highest crossing rapid]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Got unexpected extra argument ({args})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Got unexpected extra arguments ({args})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>High nibble: motor 0 to 3, in the order of the profile's [signals] motors; without --machine of usb-board. Low nibble: coils L1 to L4, forwards A 9 5 6. Only a change of motor is a clock edge: a second byte for the same motor moves nothing. It buffers 384 bytes and sends nothing.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hold a job that runs, from any terminal.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Hold the running job: the machine slows down and stops, no position is lost, the spindle keeps turning.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Home the machine first ($H); make sure the way is free.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far arcs may be off a spline or an ellipse, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far it goes, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the new path may be off, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far the raw end lies over z = 0, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far to move along X, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far to move along Y, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far to move along Z, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How fast, mm/min. [default: 1000, of --machine the axis' fastest]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How long each is on.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many minutes the connection stays open for the next verb, so that the board does not restart; 0 closes it with this one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How many squares.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How parts may be turned.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How the program is to be read: fanuc-lathe, fluidnc, grbl, grblhal, iso, linuxcnc, mach, mach-turn, marlin, mini-lathe, qtplasmac, thesis-a. [default: as the machine does; without one grbl]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How the program is to be read: fanuc-lathe, fluidnc, grbl, grblhal, iso, linuxcnc, mach, mach-turn, marlin, mini-lathe, qtplasmac, thesis-a. [default: linuxcnc]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How thick the material is, in mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How tools are changed. [default: m6 where the target has it]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In place of the template's: a profile's name or file.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In rows: 3x2. One program fills it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>In the negative direction.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Inject the faults of this TOML or JSON file, and print each; see docs/user-guide/sending/faults.md.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Invalid value for {param_hint}: {message}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Invalid value: {message}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It also works while `cncstepper send` holds its job at that port. The controller is then reset at standstill, which stops the spindle. `cncstepper back --resume` goes on: up, across and slowly down to the cut, and along it. At a pause, or during a tool change (M6 of grblHAL), nothing is reset, and the tool returns before the job resumes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It has names, travel, speeds and the tool head; steps per mm, accelerations and homing come from --from.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It is of high-speed steel, not of carbide.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It is stored in the work system in force (G54 as a rule) of the controller at --port, and read back. The machine must be idle; nothing moves. The connection stays open for the verbs that follow, --keep-open minutes long or until `cncstepper disconnect`, so that a board that restarts when its port is opened keeps its zero till then.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It reports what it does not understand, guesses or does not write.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It starts in manual mode: A to H move, I sets the feed speed, P stops, Y begins the automatic mode, Z quits. In automatic mode a record ends with #; a ? starts the records before it. It sends nothing. A full buffer loses bytes, and a record that cannot be read is skipped; both are printed here. Y cannot be undone, and M02 ends the program. Without --machine it has 80 steps/mm in X and Z.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its cutting edges. [default: 2]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its key.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Its turns for one of screw or pulley.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Join, close and take out what is wrong within the limits; -o writes it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>KEY= without a value takes a key or table out. The whole profile is checked before anything is written. A shipped profile is never changed: its first change makes one of yours with its name.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Let a job go on that stands.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Let a machine find its own zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Let the machine at --port find its own zero with its limit switches ($H), and wait until it has.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lift Z by so many mm for it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines also come from a pipe or a file; then the first refusal ends it with exit status 1.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lines that are one, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>LinuxCNC's parameter file (.var) in mm: work offsets, G92, the places of G28 and G30.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>LinuxCNC's parameter file (.var), in inches. [default: all 0]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>LinuxCNC's tool table, in inches. [default: that of its samples]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>List all profiles: name, whose it is, controller, processes, travel.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>List every journal that is kept, the latest first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>List the rows of the chart that ships for a process, or of a chart of the shop's own.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>List the serial ports of this computer, or say what answers at each port given with --ask.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>List the serial ports, or say what controller answers at one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>List the settings that are equal too.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>List the tools of FILE: .fctb or .fctl of FreeCAD, .tbl of LinuxCNC; with --to convert them.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>List the tools of a FreeCAD library or a LinuxCNC table, and convert them.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>List, make, show and change machine profiles; read and write FreeCAD's.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>List, show and convert cut charts; write kerf and speed tests.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Listen there, for example 127.0.0.1:2217; port 0 picks a free one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Look in comments too.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine profiles: those that ship, and your own.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Machine, tools and rules of the shop, a TOML file.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make DIR/program.nc, DIR/report.json, DIR/certificate.zip and DIR/part.png from the job file JOB.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make a checked program of each nested sheet by this job template.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make a job file of DRAWING by the rules of a template, which `cncstepper run` then makes a program of.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make a job file of a drawing by the rules of a template.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make a profile of your own from another one; its comments come along.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make a program for each tool: --out FOLDER.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make a program for each tool: FOLDER/NAME-1-T1.nc, NAME-2-T4.nc and so on.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make all feeds faster or slower: --factor 0.8.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make and check programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make one program of PROGRAMS, each placed, turned and counted: --at 10,20,90, --grid 3x2 or --sheet 600,400.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make one program of several, each placed, turned and counted.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make or change your profile NAME by the settings of the controller at --port.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make program, report, certificate and picture from a job file.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make the mirror image: --axis x turns left into right. Climb milling becomes conventional.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make the path larger or smaller: --factor 1.02, or --x 2 --y 2 and Z as it is. Feeds stay.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make the path larger or smaller: --factor 1.02.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make the settings of the controller at --port those of OTHER: a backup's file, or a machine profile by its name.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make the tool's place the work zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make the tool's position the work zero of AXES: XYZ where none are given, or Z, or XY.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make your profile NAME from FILE, a machine file of FreeCAD's (.fcm).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make, nest, prove and price the drawings of ORDER, a CSV: drawing, template, material, thickness_mm, count.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Make, nest, prove and price the drawings of an order.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Many boards restart when their port is opened; then the position is unknown. With limit switches give --home. Without them move the tool to the work zero, run `cncstepper zero`, and send without moving anything in between; with any other zero nothing is sent. After an alarm, a lost link or a killed sender the position is unknown for all later connections too. Then nothing is sent before --home, `cncstepper home`, or `cncstepper zero` for all axes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Many parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>May be missing where the target lacks it; otherwise such a program is refused.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Measure both diagonals of the rectangle, not only one (3-4-5).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Measure both: kerf = kerf of the chart + (side - part + hole - its side) / 2; write it into a chart of your own.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing argument</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing command.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing option</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing parameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Missing parameter: {param_name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move a machine's axes by hand.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move the axes of the machine at --port by WAY, in mm: X10, or X-2.5 Y3 together.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move the whole path: --x 25 --y -10.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Move, scale, turn, mirror, renumber, split ... a program.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Names of the runs of sheets, from the lowest.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nest on a sheet of that size, from 0, 0.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nest the pieces on sheets of that size. [default with --template: the template's, or the machine's travel]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>No such command {name!r}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>No such option {name!r}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nominal, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nominal, mm; of a cone that of its base.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nothing is cut: take the tool out, or lift it, and keep a hand at the emergency stop. Ctrl-C brakes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nothing is mended without --mend; every change is then printed. A CadQuery or build123d script (.py) is run, in a process that may take 60 s and 4 GB and writes nothing. Exit 0 where the file was read, 1 where it is refused.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a .cfg that does not say it. [default: mm]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a picture: a blur of that radius, pixels.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a picture: areas left out up to, mm². [default: four pixels]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a picture: greys below it are dark. [default: found from the picture]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a picture: how far curves may be off the pixels. [default: half a pixel]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a picture: its light areas are traced.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a picture: its width.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a picture: pixels an inch. [default: the file's, 96]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of a solid: the height of its faces or section, mm. [default: its outline from above]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of each search.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the .cfg that is written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the driver, in a full step. [default: 1]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the new program. [default: as it was]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the offer. [default: the order's name]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the part.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the random search.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the sheet, in mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the sheets, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the sheets, mm. [default: the template's, or the machine's travel]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the stock. [default: as the template says]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the stock. [default: the template's]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the tool, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On a lathe, in place of --tool: the diameter, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On a lathe: the bar's end runs in a tailstock.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On a lathe: the depth of cut a_p, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On a lathe: the feed f, mm a turn.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On a lathe: the force of all jaws of the chuck, N.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On a lathe: the length of the bar out of the chuck, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On a lathe: the motor's power, W. [default: --machine's]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>On a lathe: the speed. [default: of the material]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>One of yours that cannot be read is listed with the reason.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>One view alone. [default: isometric and depth on one sheet]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Only what differs is written, line by line, each answered; then all are read back. What the controller does not have is left out. Where steps per mm change, the position is unknown afterwards: home it, or set its zero.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Option {name!r} does not take a value.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Option {name!r} requires an argument.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Option {name!r} requires {nargs} arguments.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Options</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Our own certificate.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>PATH.toml writes PATH-1.toml and so on.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>PROGRAM holds pulse letters, one every so many ms.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Parts of one template, material and thickness are nested on sheets. DIR gets each sheet's drawing, job file, program, report and certificate, remnants, the table of rows and sheets (rows.csv, sheets.csv, order.txt) and an offer (offer.pdf) by the rates of the machine's profile. A row that is refused costs no other one. Run it again after an interruption: what is done is not done again. Exit 1 when a row, a part or a sheet was not made.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pins, levels and times are those of the profile's [signals]; without --machine of thesis-table. A pulse is lost if it is too short, or too close to the last pulse or change of direction; each loss is printed. Relays are printed by name. It sends the status register, one byte, when a client connects and when an input changes. With --typed these lines press its inputs, the pins 10, 11, 12, 13 and 15:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pitch of the belt, mm; with --teeth.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place the parts of ORDER on its sheets: a TOML order, or the JSON of a strip packing instance.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Place the parts of an order on sheets, remnants or a strip.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Plunges, spindle, coolant and the order of the contours stay. Refused where that is unsafe, such as ramps.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Positional arguments</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Press its input pins at the times in this TOML file.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Press its input pins by lines typed here.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print PROGRAM as PDF or HTML: file, process and material, the work surface with the path, and the text.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print a profile as it is written; with KEYS, such as axis.x or planner.ramp, what is in force there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print feed and speed of a tool in a material.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print height, diameters, mean, deviation and ratio to the nominal of measured PARTS, and those of all together.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print mean, deviation and ratio to the nominal of measured parts.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print spindle speed, feed and plunge feed of a tool in a material, and how they come about.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print steps per mm, pulse rate, motor speed and resolution of an axis.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print steps per mm, resolution, pulses, motor speed, pulse rate and highest feed of one axis, each worked out.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print the canonical calls of PROGRAM as `rs274 -g` prints them, read as LinuxCNC does unless told.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print the canonical calls of a program.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print the row that cuts a thickness of a material, interpolated where it lies between two.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print the seconds that PROGRAM takes on the machine, from its planner; one number on the last line.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print the seconds that a program takes.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print what is in the drawing FILE and what is wrong with it: layers, colours, lengths, gaps, doubles, crossings.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Print which inputs are on, at each change: XYZ limit switches, P probe, D door, H hold, R reset, S start.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Printed are feed/rapid/spindle in percent, and what is on: S or C for the spindle's sense, F flood, M mist. The job is one that `cncstepper send` sent from any terminal, or that was sent from FreeCAD's window.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Processes on this computer.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pulses a second at most, Hz.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Put NEW in place of FIND in the code of every line: PROGRAM F800 F650 (F8000 is another number and stays).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Put a program and its work surface on paper: PDF or HTML.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Read drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Refuse a drawing of which no rule takes some chains.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Registration holes; 0: none.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Restart PROGRAM at a line, an operation, a contour or a point.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Restart whenever its port is opened, as boards do whose reset is on DTR.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Resume a paused job: after a hold, a closed door, or a retract along its cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Resume also at a pause of the program (M0), once its task is done.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Resume at M0 without a person: for virtual machines and dry runs.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Retract along the cut of a running job, move forward again, and resume.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rewrite runs of tiny straight moves in PROGRAM as arcs, helices and longer lines.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Rewrite tiny moves of a program as arcs and longer lines.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Run a virtual USB board with four stepper motors: a byte sets the coils of one; Ctrl-C ends it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Run a virtual controller, which answers and moves as the real one does.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Run a virtual grbl 1.1 (128 bytes, 15 blocks) on a pseudo-terminal or a TCP port; Ctrl-C ends it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Run a virtual mini-lathe at 9600 baud, 8E1 (here 8N1 with the timing of 8E1); Ctrl-C ends it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Run a virtual table at a parallel port: two bytes a write, data and control; Ctrl-C ends it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Run them in their order: the best one has the least dross and the squarest edge.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save the bytes as they come.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save the path of the axes: t_s,x_mm,y_mm,z_mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save the path of the axes: t_s,x_mm,z_mm, X as a radius.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Say how far a job came that was killed, and how to restart it safely.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Say how far the job of JOURNAL came, by default the latest that was not cut to its end.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Say the turned part's diameter and bore at this Z.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Search by our own layer alone.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Searches for each nest.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Seconds to search.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send COUNT pulses to one axis, in one direction.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send PROGRAM to the controller at --port and wait until the machine is idle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send a job and control it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send a program to a controller and wait until it is cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send a restart that was not simulated on a stock: without --job, and without --stock and --tool.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send even if the certificate does not match or holds errors.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send even if the controller's settings or offsets differ from the proof.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send it: a port or URL as of `cncstepper send`, a parallel port too.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send line by line: Enter sends the next line after the last is cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Send without a certificate and without a check.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Set the dial so that it counts up in the axis' positive direction.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Set up a machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Should the board restart when its port is opened, the tool must stand on the work zero, as it was set.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show all that changes. [default: where nothing is written]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show the part after that line of the program.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show the part after that many seconds.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show the version and exit.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show this message and exit.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show what is in a drawing and what is wrong with it; mend it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Side along X, in mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Side along Y, in mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Speed in mm/min.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Speed of its clock relative to real time.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Spindle speed, which is set by hand; 0: it does not turn.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Start in alarm until homed, as with $22=1.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Steps per mm, speeds, accelerations, travel, homing, spindle and planner are read; the rest comes from --from.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Switch spindle or beam on again and cut from here to the end of the program.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Switch the relays of the profile on and off again, one by one; only those that are named where some are.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take all N words out instead.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take stock, tools, clamps and the shapes wanted from this job file.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take the feed of a program without F from the cut chart of this one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Take this axis' drive of --machine's profile.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Takes {nargs} values but 1 was given.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Takes {nargs} values but {len} were given.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Teeth of the belt's pulley.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>That is commanded, in mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The axes move to their switches: make sure that the path is free. Ctrl-C stops them; the position is unknown then. Many boards restart when their port is opened anew and forget what they have found: the connection stays open for the verbs that follow, --keep-open minutes long or until `cncstepper disconnect`.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The axis is one of a screw or a belt, and of a stepper motor (open loop) or a drive with an encoder (closed loop):</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The certificate that `check` or `run` wrote for this program.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The chart's consumable. [default: the first that cuts the thickness]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The coordinate that changes its sign.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The cut nearest to this point; without Z the first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The cutter, for example flat:6 or ball:2.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The cutter, for example flat:6 or drill:3.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The dialect that is written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The difference is shown, and nothing is written until --out FILE or --in-place says where. Comments, order and form stay; only the words that must change do. Every new program is read again and compared with what it must be, and with --machine (and --stock, --tool) checked as `cncstepper check` does: one with errors that the old one had not is refused.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The file that is written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The firmware whose greeting, answers, refusals, buffer and line length it has.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The first line that is not certainly done.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The first number.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The job file that is written.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The job is one that `cncstepper send` runs in another terminal, or that FreeCAD's window sent.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The job is one that `cncstepper send` sent from any terminal, also one that is closed by now, or that was sent from FreeCAD's window. `cncstepper go` lets it go on, `cncstepper back` leads it back along its cut, `cncstepper stop` ends it. This is not an emergency stop. The mini-lathe cannot be held over its link.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The job names the drawing and follows it when it changes. Chains that no rule takes are printed with their number; with --strict they are refused. A CadQuery or build123d script (.py) is run once, here: its outline is written beside the job as DXF, which the job names, for a job runs no script.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The job uses the connection that is open at --port. It leaves a connection open for --keep-open minutes, so that the next verb does not restart the board.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the drawing's unit, where it is wrong.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The length of the file's unit, where it is wrong.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The lengths of a tool.tbl, read or written, are inches.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The machine's profile, by name or TOML file; needed where this computer itself is the controller.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The mini-lathe cannot be stopped over its link while it runs what it was sent: nothing more is sent to it, and the outcome says how long it still works. A parallel port or USB board brakes and stops.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The mini-lathe takes none of them. On a parallel port or USB board the spindle is a relay, whose speed no share changes, and a feed above 100 % counts from behind the pulses that are queued (0.3 s).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The new path is never farther than --tolerance from the old one, nor the old one from the new. Feeds, stops, outputs, comments and corners stay; rapids, arcs and all other lines are not touched.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The picture, PNG or SVG; with --view also an animation: GIF, APNG, WebP, or MP4 where ffmpeg is.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The point that stays.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The profile that has all other values.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The report goes to standard error, the program to standard output or --out.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The rest of the job is not cut. The job is one that `cncstepper send` sent from any terminal, also one that is closed by now, or that was sent from FreeCAD's window. `cncstepper hold` only holds it. This is not an emergency stop: that one is on the machine.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The same from this second of the program on.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The sheet: .pdf or .html.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The shop's own chart: .toml, or QtPlasmaC's .cfg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The stock's size in mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The units to write.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The way back: every pulse again, from the last one to the first.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The work zero is set on the stock, the tool is in the spindle, and it has stayed at that zero if the board restarts now. Without this option you are asked.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Those of a parallel port are printed by what they do and their pin.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To nest.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>To the rim, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Travel of the screw a turn (pitch, or lead), mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Try '{command} {option}' for help.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Try a machine out and measure it: pulses, relays, inputs, a square, a circle, travel, backlash, squareness.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Try a machine out and measure it: pulses, relays, inputs, travel.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turn the path about Z: --angle 90 --about 50,35.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turns of the motor for one of screw or pulley. [default: 1]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Type lines to a controller, with history.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Type lines to the controller at --port; the next is asked for when the last is done and the machine is at rest.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unless told, the machine stands at its zero when the program begins; its planner times the steps, which take up the backlash of the axes. With interpolation = "dda" in the profile they are those of the published interpolators, each move from rest to rest; "published" has the printed registers of arcs too. The profile's [signals] say how long pulses are, which motors an axis has, and on which pins of a parallel port they are. Letters and board bytes have no time; digital outputs have no letter, and no device has a board byte or coils.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Unless told, the machine stands at the work zero when the program begins, as in `check` and in the report of `run`. Pauses (M0) count as no time. Of a lathe program it says whether X is a diameter or a radius.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Usage:</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What G20 means: radius in the published table, diameter in the listing.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What G70 means: mm in the published table, inch in the listing.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What a profile leaves out has a value too: KEYS print it. `.` is all of them.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What is cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What is done, in your words: milling, plasma, engraving.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What it is made of, in your words. [default: as the job says]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where on that axis the mirror stands, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where on the stock the work zero lies.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the machine stands at first, in machine coordinates; without a work zero, as seen from that.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the machine wants a file a tool (tool_change = "split"), there is one of each for each tool: program-1-T1.nc, report-1-T1.json and so on; run them in their order. Each program is read back, timed, simulated and checked, the later ones against the stock that the earlier ones have cut; exit 1 when a check refuses one. The job of a lathe (process = "turning") gives the part's profile in report.json and its half section as the picture.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the work zero lies, in machine coordinates.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Which job, by its session's name or file, where several run.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Which of its runs, for a line that is run often.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Which program of a job that is split, one a tool.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Which program of the job it is, where the machine wants one a tool.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Whose connection; without it every connection of yours.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>With --as coils: full steps with one phase or two (two_phases_a: other wiring), half steps, or the signs on the wires of bipolar motors. [default: two_phases]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>With --certificate only the proven program is sent. Machine, start state, tools, stock and clamps must be those of the proof, as far as you give them. Without a certificate the program is checked first, with --machine or --job (whose machine counts where --machine is absent); --unchecked skips the check. The controller's settings are compared, and the work zero where the proof knows it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>With --machine the sheet tells the time too; with --work-zero the picture shows the machine's travel.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>With --machine they are bounded by its spindle and the rates of its axes. Values to begin with: the cutter's own data sheet and the first chips know better.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>With --machine, a controller of ours runs machines whose pulses this computer makes, and the mini-lathe. Programs in the machine's own language are sent to it as grbl lines, which are proven by reading them back. The fastest pulse rate of the program is tried before the first line. PROGRAM may be a file of pulse letters, NAME.letters. What a machine cannot do (hold, stop, override) is printed before the first line.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>With --mend, ends that are moved together, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>With --mend, polylines become arcs and fewer lines, mm.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>With --motors real: the limits of its motors, as a multiple of the profile's acceleration and rate.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>With --motors real: the start-stop rate of its motors, pulses/s.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>With --sheet, also by 90, 180 and 270 degrees.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Without --port nothing is sent: the restart is described, and -o writes its program. Without a place the contours are listed. Give --machine, or --job with its machine. With --job, or --stock and --tool, the restart is simulated on the stock that the earlier moves have left, and refused where a rapid meets material. Without a stock it is sent only with --without-stock. A program in a language that the controller does not read is restarted in grbl's, as it is sent. `cncstepper resume` prints the whole command for a job that did not end.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Without one of these options it asks what to do, until the job resumes or you leave.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write PROGRAM in another dialect: the same moves, what the target lacks expanded or refused.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write a chart as TOML or as QtPlasmaC's material file; what such a file cannot hold is told.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write a job that cuts a square with a square hole, both of known size.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write a list of its chains as JSON.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write a profile to the file --out, a machine file for FreeCAD (.fcm).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write a program in another dialect.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write every step of PROGRAM as the machine's motors and drives receive it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write every step of a program: letters, bytes, port writes, edges.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write it there: .toml, or .cfg for QtPlasmaC.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write its certificate there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write jobs that cut a small square each, from 70 to 130 % of the chart's feed, side by side on one sheet.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the corrected value without asking.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the drawing, mended or not: .dxf or .svg.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the job there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the new program over the old one.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the new program there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the program there instead of printing it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the restart program there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the same path in mm (G21) or inches (G20).</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the settings of the controller at --port to the file --out.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the whole program there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write them there: .fctb, .fctl or .tbl.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write there instead of printing.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write without asking.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X times this.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Y times this.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Your own chart, instead of the one that ships.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Your own lie in your configuration folder and are named like the shipped ones wherever a command takes --machine.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z times this.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Z{z_mm:g}: diameter {outer_mm:.4f} mm, bore {bore_mm:.4f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>[default: the first with a chart that the machine has]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a turned part is drawn as its half section, at one moment: leave --view out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an animation needs --view</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {notes} parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>circle of {diameter:g} mm at {feed:g} mm/min: done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>clean</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cncstepper back --distance 5     hold, and 5 mm back
+cncstepper back --forward        forward again to where it was held
+cncstepper back --resume         go on with the job from where the tool stands now</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cncstepper override feed +10       10 % of the programmed feed more; also -10 +1 -1
+cncstepper override feed 100       the programmed feed again
+cncstepper override rapid 50       rapid moves at half their speed; also 25 and 100
+cncstepper override spindle -10    as with the feed
+cncstepper override spindle stop   stop the spindle of a held machine, and start it again
+cncstepper override flood          switch flood coolant on, or off; also mist</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cncstepper: stopped by Ctrl+C before it was done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cncstepper: {sentence}; Ctrl+C ends it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>contour   line   operation             begins at                        length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut {cut:.1f} mm, in air {air:.1f} mm, rapid {rapid:.1f} mm, pierces {pierces}{removed}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>default: {default}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>directory</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>f800 and F800 are the same.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give --certificate, or --machine or --job to have it checked, or --unchecked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give --count once, or once for each program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give --factor, or some of --x, --y, --z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give --job, or --stock and --tool, to have it cut on what is left of the stock; or --without-stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give --machine, or --job whose machine counts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give --stock and --tool, or --job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give --tool for a mill, or --turn for a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give either --at or --line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give either --out or --in-place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give either --pty PATH or --tcp HOST:PORT</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give one of --at, --grid and --sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give one of --distance, --line, --entry, --forward and --resume</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>hint: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ideal motors follow every pulse; real ones lose steps where pulses come too fast.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>inputs that are on: {none}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is no point: two or three numbers in mm, such as 12.5,40 or 12.5,40,-2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is not three lengths above 0 in mm with decimal points, such as 100,70,20</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is not three numbers in mm with decimal points, such as 100,70,20</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>letters: one a pulse. board: a byte a pulse, four motors. coils: time and wires of each motor. parport: time, data and control register. csv: time and positions. vcd: every edge, for GTKWave or PulseView.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mm of an STL's unit.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name one with --contour, or give --line, --operation or --at</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no conversion makes it a program for {target}: {reason}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no job is unfinished: every one whose journal is kept was cut to its end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no serial port is there: plug the controller in, or give its URL (socket://HOST:PORT)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no value of the profile takes that up: turn the gantry until it is 90°</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>note: {note}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing was written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>part    height        d1        d2        d3      mean  deviation     ratio  height's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulse letters have no certificate: they are checked when they are sent</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulse letters need --machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>required</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>square of {side:g} mm at {feed:g} mm/min: done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>takes {time_s:.1f} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the angle between X and Y is {angle_deg:.4f}°: {deviation_deg:+.4f}°, {skew_mm_m:.3f} mm over a metre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the chart has no row of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file is written anew, in our own layout: its comments are not in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the finished part: {json}; {png}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job goes on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job goes on from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job has ended: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the job is split into {parts} programs: say with --part which of them this is</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile does not say what drives {axis}: add [axis.{axis}.drive] to it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile says what drives the axis: leave the drive's options out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>these options belong to --turn, not to --tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this machine has no relay: [[relay]] of the profile names those of a controller that switches some</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this makes it a program for {target}: {command}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>touch_off: the operator zeroes each tool, so that lengths are left out. [default: lengths are kept]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>unknown error</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>warning: no rule takes {open} chains: {layer}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what moves the axis? give --screw MM, or --belt MM and --teeth N, or --machine and --axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{acknowledged} of {total} lines acknowledged in {elapsed_s:.1f} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{axis}: backlash {play_mm:.4f} mm (profile: {was_mm:g} mm), standard deviations {below_mm:.4f} and {above_mm:.4f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{axis}: commanded {length_mm:g} mm, {values_mm} readings: mean {mean_mm:.4f} mm, standard deviation {deviation_mm:.4f} mm, of the mean {mean_deviation_mm:.4f} mm, range {range_mm:.4f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{axis}: steps_per_mm {steps:g} becomes {new:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{axis}: the commanded length is the measured one within the readings' scatter: steps_per_mm {steps:g} stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{axis}: {count} pulses {forward}, {length_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{certificate}: written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{copied_from} ships with the program and stays as it is; your copy takes its place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{drawing}: written, what the script draws</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{file} is disconnected</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{file}: {blocks} blocks that move, {minutes:.1f} min; {report}; {picture}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{file}: {blocks} blocks that move, {minutes:.1f} min; {told}; {picture}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{lines} settings written and read back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} has no process with a cut chart: it has {processes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} {filename!r} does not exist.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} {filename!r} is a directory.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} {filename!r} is a file.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} {filename!r} is not readable.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} {filename!r} is not writable.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name}: off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name}: tool {tool}, {lines} lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{out}: kerf {kerf_mm:g} mm, outside {side_mm:g} mm, inside {side_mm2:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{out}: not written; the arranged program would be refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{out}: written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{out}: written; {lines} lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{out}: written{proven}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{out}: {copies} copies of {read} programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{out}: {name} for FreeCAD</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{out}: {operation} operations, stock {size} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{out}: {removed:.1f} cm³ removed in {time_s:.1f} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{out}: {settings} settings of {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{parent}: {slices} sheets, {volume_mm3:.6g} mm3, {share:+.3%} of the solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{parts} parts on {sheets:g} sheets, {metres:.1f} m, {pierces:.0f} pierces, {hours:.2f} h{cost}; {done} tasks done, {found} found done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path}: made from {source}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path}: not changed; the new program would be refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path}: not written; add --out FOLDER</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path}: written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path}: {before} lines become {after}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path}: {feed_mm_min:g} mm/min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{phase}: line {line}  {place}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{phase}: {status}, at line {file_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{placements} parts on {kind}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{placements} pieces on {sheets} sheets of {size_mm:g} x {size_mm2:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{plot}: the mean diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{plot}: the readings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{program}: refused; it cannot be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{program}: this restart is refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{program}: {verdict}; {blocks} blocks that move, {time_s:.1f} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{pulses} pulses in {plan:.1f} s, from here to {ends} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{rows} of {all_rows} settings differ</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{setting}: written; home the machine, or set its zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{sound} of {made} programs, {sound2:.1f} min</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{status}   ~ goes on, stop ends it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{title}: {count} chains</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{total} copies do not fit into a grid of {grid:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{to}: {rows} rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{value!r} is not a valid boolean. Recognized values: {states}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{value!r} is not a valid {number_type}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{value!r} is not one of {choices}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{value!r} is not {choice}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{value} is not a number from {words}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{value} is not in the range {range}.</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper core</name>
         <message>
             <source>! is a command to the controller (feed hold), not part of a program</source>
@@ -14983,6 +17648,10 @@
         </message>
         <message>
             <source>at z {0} mm, radius {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at {place} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25283,6 +27952,10 @@
         </message>
         <message>
             <source>{count} lines have markers, which are not read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

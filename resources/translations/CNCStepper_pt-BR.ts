@@ -12528,6 +12528,2693 @@
         </message>
     </context>
     <context>
+        <name>CNCStepper cli</name>
+        <message>
+            <source>   not placed: {count} of {name}: {why}</source>
+            <translation>   sem lugar: {count} de {name}: {why}</translation>
+        </message>
+        <message>
+            <source>   not placed: {why}</source>
+            <translation>   sem lugar: {why}</translation>
+        </message>
+        <message>
+            <source>   note: spyrrow is not installed; our own search alone is slower: pip install spyrrow</source>
+            <translation>   nota: spyrrow não está instalado; só com a nossa própria busca é mais lento: pip install spyrrow</translation>
+        </message>
+        <message>
+            <source>   note: {note}</source>
+            <translation>   nota: {note}</translation>
+        </message>
+        <message>
+            <source>   sheet {number}: {why}</source>
+            <translation>   chapa {number}: {why}</translation>
+        </message>
+        <message>
+            <source>  13           press pin 13 for 0.3 s
+  press 13     press it until it is released
+  release 13   release it</source>
+            <translation>  13           aciona o pino 13 por 0.3 s
+  press 13     aciona-o até ser solto
+  release 13   solta-o</translation>
+        </message>
+        <message>
+            <source>  P            press the probe's pin for 0.3 s; also X Y Z (limit switches), D door, R reset, H hold, S cycle start
+  press P      press it until it is released
+  release P    release it</source>
+            <translation>  P            aciona o pino da sonda por 0.3 s; também X Y Z (fins de curso), D porta, R reset, H pausa, S partida do ciclo
+  press P      aciona-o até ser solto
+  release P    solta-o</translation>
+        </message>
+        <message>
+            <source>  [[press]]
+  pin = "P"
+  at_s = 2.5
+  for_s = 0.3</source>
+            <translation>  [[press]]
+  pin = "P"
+  at_s = 2.5
+  for_s = 0.3</translation>
+        </message>
+        <message>
+            <source>  [[press]]
+  pin = 13
+  at_s = 2.5
+  for_s = 0.3</source>
+            <translation>  [[press]]
+  pin = 13
+  at_s = 2.5
+  for_s = 0.3</translation>
+        </message>
+        <message>
+            <source>  cncstepper axis --screw 6 --gear 5 --steps 48 --distance 250 --feed 500
+  cncstepper axis --screw 6 --gear 5 --encoder 48 --encoder-gear 4 --distance 250 --feed 500
+  cncstepper axis --belt 2 --teeth 20 --microsteps 16
+  cncstepper axis --machine table.toml --axis x         of a profile with [axis.x.drive]</source>
+            <translation>  cncstepper axis --screw 6 --gear 5 --steps 48 --distance 250 --feed 500
+  cncstepper axis --screw 6 --gear 5 --encoder 48 --encoder-gear 4 --distance 250 --feed 500
+  cncstepper axis --belt 2 --teeth 20 --microsteps 16
+  cncstepper axis --machine table.toml --axis x         de um perfil com [axis.x.drive]</translation>
+        </message>
+        <message>
+            <source>  cncstepper feeds --material plywood --tool flat:6
+  cncstepper feeds --material pvc --turn 100 --depth 3 --feed 3 --power 386</source>
+            <translation>  cncstepper feeds --material plywood --tool flat:6
+  cncstepper feeds --material pvc --turn 100 --depth 3 --feed 3 --power 386</translation>
+        </message>
+        <message>
+            <source>  cncstepper part-records --height 150 --diameter 50 150.02,49.98,50.01,50.00 149.97,50.03,50.02,49.99</source>
+            <translation>  cncstepper part-records --height 150 --diameter 50 150.02,49.98,50.01,50.00 149.97,50.03,50.02,49.99</translation>
+        </message>
+        <message>
+            <source>'{path}' is {kind}, not a file</source>
+            <translation>'{path}' é {kind}, não um arquivo</translation>
+        </message>
+        <message>
+            <source>'{text}' is no override: write for example feed +10, or flood</source>
+            <translation>'{text}' não é um ajuste: escreva por exemplo feed +10, ou flood</translation>
+        </message>
+        <message>
+            <source>'{value}' is no bar: write its diameter and length in mm, such as 55x170</source>
+            <translation>'{value}' não é uma barra: escreva o diâmetro e o comprimento em mm, como 55x170</translation>
+        </message>
+        <message>
+            <source>'{value}' is not a height and three diameters, such as 150.02,49.98,50.01,50.00</source>
+            <translation>'{value}' não é uma altura e três diâmetros, como 150.02,49.98,50.01,50.00</translation>
+        </message>
+        <message>
+            <source>'{value}' is not a number above {least:g} with a decimal point, such as 1.5</source>
+            <translation>'{value}' não é um número acima de {least:g} com ponto decimal, como 1.5</translation>
+        </message>
+        <message>
+            <source>'{value}' is not a number with a decimal point, such as 1.5</source>
+            <translation>'{value}' não é um número com ponto decimal, como 1.5</translation>
+        </message>
+        <message>
+            <source>'{value}' is not two numbers in mm with decimal points, such as 50,35</source>
+            <translation>'{value}' não são dois números em mm com ponto decimal, como 50,35</translation>
+        </message>
+        <message>
+            <source>'{value}' is not {name}</source>
+            <translation>'{value}' não é {name}</translation>
+        </message>
+        <message>
+            <source>'{way}' is no way: write for example X10, or X-2.5 Y3 (mm)</source>
+            <translation>'{way}' não é um movimento: escreva por exemplo X10, ou X-2.5 Y3 (mm)</translation>
+        </message>
+        <message>
+            <source>'{words}' is no speed: write for example F500 (mm/min)</source>
+            <translation>'{words}' não é uma velocidade: escreva por exemplo F500 (mm/min)</translation>
+        </message>
+        <message>
+            <source>(Did you mean one of: {possibilities}?)</source>
+            <translation>(Você quis dizer uma destas: {possibilities}?)</translation>
+        </message>
+        <message>
+            <source>, {volume:.3g} cm³ removed</source>
+            <translation>, {volume:.3g} cm³ removidos</translation>
+        </message>
+        <message>
+            <source>--back is by the planner: the profile's interpolation is another</source>
+            <translation>--back usa o planejador: a interpolação do perfil é outra</translation>
+        </message>
+        <message>
+            <source>--bar is the stock of a lathe: leave --stock and --job out</source>
+            <translation>--bar é o bruto de um torno: não dê --stock nem --job</translation>
+        </message>
+        <message>
+            <source>--belt and --teeth belong together</source>
+            <translation>--belt e --teeth vão juntas</translation>
+        </message>
+        <message>
+            <source>--coils belongs to --as coils</source>
+            <translation>--coils é para --as coils</translation>
+        </message>
+        <message>
+            <source>--despite-certificate goes with --certificate</source>
+            <translation>--despite-certificate vai com --certificate</translation>
+        </message>
+        <message>
+            <source>--dialect says how a program is read: linuxcnc knows parameters, expressions and O-words</source>
+            <translation>--dialect diz como um programa é lido: linuxcnc conhece parâmetros, expressões e palavras O</translation>
+        </message>
+        <message>
+            <source>--firmware grblhal has 1023 bytes, lines of 255 characters, and waits at M6 in the state Tool. fluidnc has lines of 254 characters, and its settings can only be read. Without --machine the settings are those of table-a. With --typed these lines press its input pins:</source>
+            <translation>--firmware grblhal tem 1023 bytes, linhas de 255 caracteres, e espera no M6 no estado Tool. fluidnc tem linhas de 254 caracteres, e suas configurações só podem ser lidas. Sem --machine as configurações são as da table-a. Com --typed estas linhas acionam seus pinos de entrada:</translation>
+        </message>
+        <message>
+            <source>--job says the stock and the tools: leave --stock and --tool out</source>
+            <translation>--job diz o bruto e as ferramentas: não dê --stock nem --tool</translation>
+        </message>
+        <message>
+            <source>--leave-out leaves out what the target lacks: spindle, coolant, dwell, pause or tool</source>
+            <translation>--leave-out deixa de fora o que falta ao destino: fuso, refrigeração, pausa temporizada, pausa ou ferramenta</translation>
+        </message>
+        <message>
+            <source>--machine and --axis belong together</source>
+            <translation>--machine e --axis vão juntas</translation>
+        </message>
+        <message>
+            <source>--machine needs --template: a template says how the sheets are cut</source>
+            <translation>--machine precisa de --template: um modelo diz como as chapas são cortadas</translation>
+        </message>
+        <message>
+            <source>--material, --thickness and --machine (or --job) go together</source>
+            <translation>--material, --thickness e --machine (ou --job) vão juntas</translation>
+        </message>
+        <message>
+            <source>--part goes with --job</source>
+            <translation>--part vai com --job</translation>
+        </message>
+        <message>
+            <source>--part goes with a job that is split into a program a tool</source>
+            <translation>--part vai com um trabalho dividido em um programa por ferramenta</translation>
+        </message>
+        <message>
+            <source>--position X,Y,Z says where the machine stands at first, --parameters FILE the places of G28 and G30</source>
+            <translation>--position X,Y,Z diz onde a máquina está no início, --parameters ARQUIVO os pontos de G28 e G30</translation>
+        </message>
+        <message>
+            <source>--press reads the same from a file, in seconds since its start:</source>
+            <translation>--press lê o mesmo de um arquivo, em segundos desde o seu início:</translation>
+        </message>
+        <message>
+            <source>--press reads the same from a file, in seconds since the first client has connected:</source>
+            <translation>--press lê o mesmo de um arquivo, em segundos desde que o primeiro cliente se conectou:</translation>
+        </message>
+        <message>
+            <source>--read-at is for a turned part: give --bar</source>
+            <translation>--read-at é para uma peça torneada: dê --bar</translation>
+        </message>
+        <message>
+            <source>--scale is for STL; {name} says its unit itself</source>
+            <translation>--scale é para STL; {name} já diz a sua unidade</translation>
+        </message>
+        <message>
+            <source>--search FOLDER says where else the files of subroutines stand</source>
+            <translation>--search PASTA diz onde mais ficam os arquivos das sub-rotinas</translation>
+        </message>
+        <message>
+            <source>--step waits at each line, --resume-pauses at none: give one of them</source>
+            <translation>--step espera em cada linha, --resume-pauses em nenhuma: dê só uma das duas</translation>
+        </message>
+        <message>
+            <source>--tool goes with --stock</source>
+            <translation>--tool vai com --stock</translation>
+        </message>
+        <message>
+            <source>--tool-table FILE tells the tools' lengths and diameters</source>
+            <translation>--tool-table ARQUIVO dá os comprimentos e diâmetros das ferramentas</translation>
+        </message>
+        <message>
+            <source>--tool-table and --parameters are the files that `rs274 -t` and `rs274 -v` take: as there, the machine's own unit is the inch, whatever the program's is.</source>
+            <translation>--tool-table e --parameters são os arquivos que `rs274 -t` e `rs274 -v` recebem: como lá, a unidade da máquina é a polegada, qualquer que seja a do programa.</translation>
+        </message>
+        <message>
+            <source>--turn needs --depth and --feed</source>
+            <translation>--turn precisa de --depth e --feed</translation>
+        </message>
+        <message>
+            <source>--turning-tool and --face go with --bar</source>
+            <translation>--turning-tool e --face vão com --bar</translation>
+        </message>
+        <message>
+            <source>--without-stock goes without --job, --stock and --tool</source>
+            <translation>--without-stock vai sem --job, --stock e --tool</translation>
+        </message>
+        <message>
+            <source>... {lines} more lines; --diff shows all</source>
+            <translation>... mais {lines} linhas; --diff mostra todas</translation>
+        </message>
+        <message>
+            <source>A LinuxCNC tool table in mm: lengths for G43, diameters for G41 and G42.</source>
+            <translation>Uma tabela de ferramentas do LinuxCNC em mm: comprimentos para G43, diâmetros para G41 e G42.</translation>
+        </message>
+        <message>
+            <source>A PNG of the end stands there at once, plain, until the full one takes its place. With --work-zero the pictures of one view show the machine's work surface. --bar and --turning-tool, or the job of a lathe, give the half section of a turned part. Exit 1 when a finding is an error.</source>
+            <translation>Um PNG do fim aparece logo, simples, até que o completo tome o seu lugar. Com --work-zero as imagens de uma vista mostram a mesa da máquina. --bar e --turning-tool, ou o trabalho de um torno, dão a meia seção de uma peça torneada. Sai com 1 quando há um erro.</translation>
+        </message>
+        <message>
+            <source>A backup is a text of lines $100=80, as $$ prints it and other senders save it.</source>
+            <translation>Uma cópia de segurança é um texto de linhas $100=80, como $$ as imprime e outros programas as salvam.</translation>
+        </message>
+        <message>
+            <source>A connection that a window has open is closed too. It is refused while a job runs or something moves there. When the port is opened again many boards restart and forget where they stand.</source>
+            <translation>Uma conexão que uma janela mantém aberta também é fechada. É recusado enquanto um trabalho está em execução ou algo se move ali. Quando a porta é aberta de novo, muitas placas reiniciam e esquecem onde estão.</translation>
+        </message>
+        <message>
+            <source>A controller is asked with `?`, `$I`, `$$`, `$#` and `$G`, which change nothing; but many boards restart when their port is opened, so do not ask one that is cutting. Over a network give its URL: socket://HOST:PORT, telnet://HOST (port 23), rfc2217://HOST:PORT. Exit status 1 when one of the ports given does not answer.</source>
+            <translation>Um controlador é consultado com `?`, `$I`, `$$`, `$#` e `$G`, que nada mudam; mas muitas placas reiniciam quando sua porta é aberta, por isso não consulte uma que está cortando. Por uma rede dê a URL: socket://HOST:PORT, telnet://HOST (porta 23), rfc2217://HOST:PORT. Sai com 1 quando uma das portas dadas não responde.</translation>
+        </message>
+        <message>
+            <source>A copy's work zero.</source>
+            <translation>O zero da peça de uma cópia.</translation>
+        </message>
+        <message>
+            <source>A dask scheduler: tcp://127.0.0.1:8786 or tls://HOST:8786.</source>
+            <translation>Um escalonador do dask: tcp://127.0.0.1:8786 ou tls://HOST:8786.</translation>
+        </message>
+        <message>
+            <source>A folder of subroutines, looked through after the program's own; may be given more than once.</source>
+            <translation>Uma pasta de sub-rotinas, consultada depois da do próprio programa; pode ser dada mais de uma vez.</translation>
+        </message>
+        <message>
+            <source>A job that is split into a program a tool needs --part: the programs before it are made anew and taken as cut. A lathe's program is found among those of its job by its moves, where --part does not say which it is. A block that moves is a line of PROGRAM, counted once however often it is run. Exit 0 clean, 1 refused; each finding is file:line:column: text. Where --work-zero is not given, the place of the program on the table is reported as unknown.</source>
+            <translation>Um trabalho dividido em um programa por ferramenta precisa de --part: os programas anteriores são criados de novo e tidos como cortados. O programa de um torno é encontrado entre os do seu trabalho pelos seus movimentos, quando --part não diz qual é. Um bloco que se move é uma linha de PROGRAM, contada uma vez, por mais vezes que seja executada. Sai com 0 sem erros, 1 se recusado; cada achado é arquivo:linha:coluna: texto. Sem --work-zero, o lugar do programa na mesa é dado como desconhecido.</translation>
+        </message>
+        <message>
+            <source>A jog ($J) leaves the program's modes unchanged. Ctrl-C cancels it and keeps the position. The position need not be known. The controller refuses a jog beyond its travel if soft limits are on ($20=1).</source>
+            <translation>Um movimento manual ($J) não muda os modos do programa. Ctrl-C o cancela e conserva a posição. A posição não precisa ser conhecida. O controlador recusa um movimento além do seu curso se os limites por software estão ligados ($20=1).</translation>
+        </message>
+        <message>
+            <source>A lathe's stock: diameter x length from the chuck's face to z = 0, mm.</source>
+            <translation>O bruto de um torno: diâmetro x comprimento da face da placa até z = 0, mm.</translation>
+        </message>
+        <message>
+            <source>A lathe's tool: CNMG120408, boring:CCMT060204, parting:3, drill:10; 2=drill:10 is tool 2.</source>
+            <translation>A ferramenta de um torno: CNMG120408, boring:CCMT060204, parting:3, drill:10; 2=drill:10 é a ferramenta 2.</translation>
+        </message>
+        <message>
+            <source>A machine that still moves is held first. The tool then follows the program's path backwards, arcs and helices too. Every line is checked before the machine moves. Each move begins with a reset of the controller at standstill, which stops the spindle. The spindle starts again and reaches its speed before the tool moves. With [retreat] outputs = "off" in the machine profile it stays off, and so does every laser.</source>
+            <translation>Uma máquina ainda em movimento é pausada antes. A ferramenta então segue o percurso do programa para trás, também em arcos e hélices. Cada linha é verificada antes que a máquina se mova. Cada movimento começa com um reset do controlador parado, que para o fuso. O fuso parte de novo e atinge sua rotação antes que a ferramenta se mova. Com [retreat] outputs = "off" no perfil da máquina ele fica desligado, e todo laser também.</translation>
+        </message>
+        <message>
+            <source>A profile's name (table-a) or its TOML file.</source>
+            <translation>O nome de um perfil (table-a) ou seu arquivo TOML.</translation>
+        </message>
+        <message>
+            <source>A profile, or the path of one.</source>
+            <translation>Um perfil, ou o caminho de um.</translation>
+        </message>
+        <message>
+            <source>A serial port (COM3, /dev/ttyUSB0) or a URL (socket://127.0.0.1:2217). For a machine whose pulses this computer makes also a parallel port (/dev/parport0), or record:FILE, which records the pulses as CSV.</source>
+            <translation>Uma porta serial (COM3, /dev/ttyUSB0) ou uma URL (socket://127.0.0.1:2217). Para uma máquina cujos pulsos este computador gera, também uma porta paralela (/dev/parport0), ou record:ARQUIVO, que grava os pulsos como CSV.</translation>
+        </message>
+        <message>
+            <source>A serial port (COM3, /dev/ttyUSB0; `cncstepper ports` lists them) or a URL (socket://127.0.0.1:2217, telnet://fluidnc.local, rfc2217://host:port); of a machine that this computer controls also /dev/parport0 or record:FILE.</source>
+            <translation>Uma porta serial (COM3, /dev/ttyUSB0; `cncstepper ports` as lista) ou uma URL (socket://127.0.0.1:2217, telnet://fluidnc.local, rfc2217://host:port); de uma máquina que este computador controla também /dev/parport0 ou record:ARQUIVO.</translation>
+        </message>
+        <message>
+            <source>A shipped profile, or the path of one.</source>
+            <translation>Um perfil fornecido, ou o caminho de um.</translation>
+        </message>
+        <message>
+            <source>A stretch of cuts between two rapids, by its number.</source>
+            <translation>Um trecho de cortes entre dois rápidos, pelo seu número.</translation>
+        </message>
+        <message>
+            <source>Aborted!</source>
+            <translation>Abortado!</translation>
+        </message>
+        <message>
+            <source>All axes times this.</source>
+            <translation>Todos os eixos vezes isto.</translation>
+        </message>
+        <message>
+            <source>Also replace files that CNCStepper did not make.</source>
+            <translation>Substitui também arquivos que o CNCStepper não criou.</translation>
+        </message>
+        <message>
+            <source>Also while `cncstepper send` pauses at that port, at an M0 or a change of tools: what follows moves with the zero.</source>
+            <translation>Também enquanto `cncstepper send` está em pausa nessa porta, em um M0 ou uma troca de ferramenta: o que vem depois se desloca com o zero.</translation>
+        </message>
+        <message>
+            <source>Also write the certificate there, for `send`.</source>
+            <translation>Escreve ali também o certificado, para `send`.</translation>
+        </message>
+        <message>
+            <source>Also write the part there, as STL in mm.</source>
+            <translation>Escreve ali também a peça, como STL em mm.</translation>
+        </message>
+        <message>
+            <source>Also write the report there.</source>
+            <translation>Escreve ali também o relatório.</translation>
+        </message>
+        <message>
+            <source>An operation of the program, by its name or its number.</source>
+            <translation>Uma operação do programa, pelo nome ou pelo número.</translation>
+        </message>
+        <message>
+            <source>Angles are of the shaft that is counted: the motor's, or the encoder's. In the workings p is the travel a turn of screw or pulley, n the pulses for it, x the distance, v the feed.</source>
+            <translation>Os ângulos são os do eixo que é contado: o do motor, ou o do encoder. Nos cálculos p é o avanço por volta do fuso ou da polia, n os pulsos para ele, x a distância, v a velocidade de avanço.</translation>
+        </message>
+        <message>
+            <source>Another name of `send`.</source>
+            <translation>Outro nome de `send`.</translation>
+        </message>
+        <message>
+            <source>Arcs need the same factor for both axes of their plane.</source>
+            <translation>Arcos precisam do mesmo fator nos dois eixos do seu plano.</translation>
+        </message>
+        <message>
+            <source>Arcs stay arcs, units follow the first program, and each tool is changed to once where the order of work allows it. Each copy is an operation, at which a restart may begin. The result is read back and, with --machine, checked.</source>
+            <translation>Arcos continuam arcos, as unidades são as do primeiro programa, e cada ferramenta é trocada uma só vez onde a ordem do trabalho permite. Cada cópia é uma operação, na qual uma retomada pode começar. O resultado é lido de volta e, com --machine, verificado.</translation>
+        </message>
+        <message>
+            <source>Argument {name!r} takes {nargs} values.</source>
+            <translation>O argumento {name!r} recebe {nargs} valores.</translation>
+        </message>
+        <message>
+            <source>As the chart calls it: 45A, co2-60w ...</source>
+            <translation>Como a tabela o chama: 45A, co2-60w ...</translation>
+        </message>
+        <message>
+            <source>As the chart calls it: mild-steel, acrylic ...</source>
+            <translation>Como a tabela o chama: mild-steel, acrylic ...</translation>
+        </message>
+        <message>
+            <source>Ask what answers at this port or URL; repeatable.</source>
+            <translation>Pergunta o que responde nesta porta ou URL; pode ser repetida.</translation>
+        </message>
+        <message>
+            <source>At a parallel port or a USB board --machine names the controller of ours that --port starts. It can neither home nor probe: set the work zero with `cncstepper zero` first. What a machine cannot do is printed before the first line. Programs of the mini-lathe, and pulse letters, cannot be restarted in the middle: send them whole.</source>
+            <translation>Em uma porta paralela ou placa USB, --machine nomeia o controlador nosso que --port inicia. Ele não faz referenciamento nem sondagem: defina antes o zero da peça com `cncstepper zero`. O que uma máquina não consegue fazer é impresso antes da primeira linha. Programas do minitorno e letras de pulso não podem ser retomados no meio: envie-os inteiros.</translation>
+        </message>
+        <message>
+            <source>At a pause (M0, or M6 of grblHAL) and between two lines with --step a beam is off. Enter resumes and s stops. "x10 y-5 z0.1" jogs by these mm ("f100": at 100 mm/min), "zero z" sets the work zero of Z, "all" ends --step. "feed -10", "spindle +10", "rapid 50" and "flood" change the overrides; "?" lists them. After a jog the tool returns before the job resumes: up, across, and slowly down to where the program stopped.</source>
+            <translation>Em uma pausa (M0, ou M6 do grblHAL) e entre duas linhas com --step um feixe fica desligado. Enter continua e s para. "x10 y-5 z0.1" move estes mm ("f100": a 100 mm/min), "zero z" define o zero da peça em Z, "all" termina --step. "feed -10", "spindle +10", "rapid 50" e "flood" mudam os ajustes; "?" os lista. Depois de um movimento manual a ferramenta volta antes que o trabalho continue: sobe, atravessa e desce devagar até onde o programa parou.</translation>
+        </message>
+        <message>
+            <source>At a pause of the program (M0) it prints the reason, for example a tool change, and moves nothing. Do what it asks, then give --pause. The job was sent by `cncstepper send` from any terminal, also a closed one, or from FreeCAD's window. `cncstepper hold` holds it, `cncstepper stop` ends it.</source>
+            <translation>Em uma pausa do programa (M0) imprime o motivo, por exemplo uma troca de ferramenta, e nada move. Faça o que ele pede e depois dê --pause. O trabalho foi enviado por `cncstepper send` de qualquer terminal, mesmo fechado, ou da janela do FreeCAD. `cncstepper hold` o pausa, `cncstepper stop` o encerra.</translation>
+        </message>
+        <message>
+            <source>At each corner mark the tool's place on the table. With steps_per_mm right, one distance is enough: that of the ends of both sides (3-4-5); two diagonals need no right steps_per_mm.</source>
+            <translation>Em cada canto marque o lugar da ferramenta na mesa. Com steps_per_mm correto, basta uma distância: a dos extremos dos dois lados (3-4-5); duas diagonais não precisam de steps_per_mm correto.</translation>
+        </message>
+        <message>
+            <source>Back up, compare and restore a controller's settings.</source>
+            <translation>Faz cópia de segurança das configurações de um controlador, as compara e restaura.</translation>
+        </message>
+        <message>
+            <source>Back up, compare and restore the settings ($$) of a controller, or make a machine profile of them.</source>
+            <translation>Faz cópia de segurança das configurações ($$) de um controlador, as compara e restaura, ou cria delas um perfil da máquina.</translation>
+        </message>
+        <message>
+            <source>Baud rate of its serial link.</source>
+            <translation>Velocidade em baud da sua ligação serial.</translation>
+        </message>
+        <message>
+            <source>Be a controller without hardware.</source>
+            <translation>Faz as vezes de um controlador sem hardware.</translation>
+        </message>
+        <message>
+            <source>Begin each run of G01 at the index of the spindle's encoder.</source>
+            <translation>Começa cada sequência de G01 no índice do encoder do fuso.</translation>
+        </message>
+        <message>
+            <source>Beside the controller's own lines it knows: ? ! ~ stop home unlock zero jog feed rapid spindle flood mist history help quit; help says what each does. Lines with bytes that act at once (! ? ~ and what is not ASCII) are refused. While the position is unknown, after a restart or an alarm that lost it, in an earlier connection too, only homing, jog, unlock, questions and settings are accepted; zero of all axes makes it known too. What the controller says by itself, an alarm for example, is shown as it comes.</source>
+            <translation>Além das linhas do próprio controlador conhece: ? ! ~ stop home unlock zero jog feed rapid spindle flood mist history help quit; help diz o que cada um faz. Linhas com bytes que agem de imediato (! ? ~ e o que não é ASCII) são recusadas. Enquanto a posição é desconhecida, depois de um reinício ou de um alarme que a perdeu, mesmo em uma conexão anterior, só são aceitos referenciamento, movimento manual, desbloqueio, consultas e configurações; o zero de todos os eixos também a torna conhecida. O que o controlador diz por si, um alarme por exemplo, é mostrado quando chega.</translation>
+        </message>
+        <message>
+            <source>Between cuts, mm.</source>
+            <translation>Entre cortes, mm.</translation>
+        </message>
+        <message>
+            <source>Between pieces, mm.</source>
+            <translation>Entre peças, mm.</translation>
+        </message>
+        <message>
+            <source>Between the outlines of parts. [default: the margin]</source>
+            <translation>Entre os contornos das peças. [padrão: a margem]</translation>
+        </message>
+        <message>
+            <source>Bytes of its receive buffer; the source does not give them.</source>
+            <translation>Bytes do seu buffer de recepção; a fonte não os informa.</translation>
+        </message>
+        <message>
+            <source>Calculate</source>
+            <translation>Calcular</translation>
+        </message>
+        <message>
+            <source>Certificate of the cluster's authority.</source>
+            <translation>Certificado da autoridade do cluster.</translation>
+        </message>
+        <message>
+            <source>Chains left out up to, mm.</source>
+            <translation>Cadeias deixadas de fora até, mm.</translation>
+        </message>
+        <message>
+            <source>Change a program: VERB --help describes each verb.</source>
+            <translation>Muda um programa: VERB --help descreve cada verbo.</translation>
+        </message>
+        <message>
+            <source>Change feed, rapid, spindle or coolant of a job that runs.</source>
+            <translation>Muda avanço, rápido, fuso ou refrigeração de um trabalho em execução.</translation>
+        </message>
+        <message>
+            <source>Change keys of a profile: axis.x.steps_per_mm=80, planner.ramp=s_curve, outputs.coolant="['mist']".</source>
+            <translation>Muda chaves de um perfil: axis.x.steps_per_mm=80, planner.ramp=s_curve, outputs.coolant="['mist']".</translation>
+        </message>
+        <message>
+            <source>Change programs</source>
+            <translation>Mudar programas</translation>
+        </message>
+        <message>
+            <source>Change the speeds or the coolant of the job that runs, while it moves or stands, and print what is in force.</source>
+            <translation>Muda as velocidades ou a refrigeração do trabalho em execução, em movimento ou parado, e imprime o que está em vigor.</translation>
+        </message>
+        <message>
+            <source>Change what differs with `cncstepper machine set`, or in the file itself.</source>
+            <translation>Mude o que difere com `cncstepper machine set`, ou no próprio arquivo.</translation>
+        </message>
+        <message>
+            <source>Check PROGRAM against a machine: travel, feeds, spindle; with --stock and --tool also rapids and plunges, with --job gouge and material left, clamps and the sheet's edge too. --bar and --turning-tool are those of a lathe.</source>
+            <translation>Verifica PROGRAM em relação a uma máquina: curso, avanços, fuso; com --stock e --tool também rápidos e mergulhos, com --job goivagem e material restante, grampos e também a borda da chapa. --bar e --turning-tool são as de um torno.</translation>
+        </message>
+        <message>
+            <source>Check a program against a machine; exit 0 clean, 1 refused.</source>
+            <translation>Verifica um programa em relação a uma máquina; sai com 0 sem erros, 1 recusado.</translation>
+        </message>
+        <message>
+            <source>Choose from:
+	{choices}</source>
+            <translation>Escolha entre:
+	{choices}</translation>
+        </message>
+        <message>
+            <source>Close a connection that verbs have left open.</source>
+            <translation>Fecha uma conexão que verbos deixaram aberta.</translation>
+        </message>
+        <message>
+            <source>Close the connection to a controller that home, zero, jog, console, send or restart have left open.</source>
+            <translation>Fecha a conexão a um controlador que home, zero, jog, console, send ou restart deixaram aberta.</translation>
+        </message>
+        <message>
+            <source>Closed loop: pulses of the encoder a turn.</source>
+            <translation>Malha fechada: pulsos do encoder por volta.</translation>
+        </message>
+        <message>
+            <source>Come to one place from both sides, ask what a dial shows there, and propose the axis' backlash_mm.</source>
+            <translation>Chega a um lugar pelos dois lados, pergunta o que um relógio comparador mostra ali, e propõe o backlash_mm do eixo.</translation>
+        </message>
+        <message>
+            <source>Command a length, ask for the measured one, repeat, and correct the axis' steps_per_mm.</source>
+            <translation>Comanda um comprimento, pergunta o medido, repete, e corrige o steps_per_mm do eixo.</translation>
+        </message>
+        <message>
+            <source>Commands</source>
+            <translation>Comandos</translation>
+        </message>
+        <message>
+            <source>Compare the controller at --port with OTHER: a backup's file, or a machine profile by its name.</source>
+            <translation>Compara o controlador em --port com OTHER: o arquivo de uma cópia de segurança, ou um perfil da máquina pelo nome.</translation>
+        </message>
+        <message>
+            <source>Copies may cut into each other.</source>
+            <translation>As cópias podem cortar umas nas outras.</translation>
+        </message>
+        <message>
+            <source>Copies of each program in turn. [default: 1]</source>
+            <translation>Cópias de cada programa, na ordem. [padrão: 1]</translation>
+        </message>
+        <message>
+            <source>Could not open file {filename!r}: {message}</source>
+            <translation>Não foi possível abrir o arquivo {filename!r}: {message}</translation>
+        </message>
+        <message>
+            <source>Create a link to a pseudo-terminal at this path (not on Windows).</source>
+            <translation>Cria um link para um pseudoterminal neste caminho (não no Windows).</translation>
+        </message>
+        <message>
+            <source>Ctrl-C holds the machine and asks what to do; a second Ctrl-C stops the job. This stop is not an emergency stop. If the job went on after a question, your answer is ignored and you are asked again. `cncstepper hold`, `go`, `stop`, `override` and `back` act on the job from any terminal, also after this one is closed. Without a terminal (standard input at its end) the machine waits at each pause and hold for one of them. Ctrl-C then holds it, and stops it there.</source>
+            <translation>Ctrl-C pausa a máquina e pergunta o que fazer; um segundo Ctrl-C para o trabalho. Esta parada não é uma parada de emergência. Se o trabalho continuou depois de uma pergunta, sua resposta é ignorada e a pergunta é feita de novo. `cncstepper hold`, `go`, `stop`, `override` e `back` agem sobre o trabalho de qualquer terminal, mesmo depois que este é fechado. Sem terminal (a entrada padrão no fim) a máquina espera por um deles em cada pausa. Ctrl-C então a pausa, e a para ali.</translation>
+        </message>
+        <message>
+            <source>Cut SOLID (STL, STEP, BREP or FCStd) into sheets of a thickness along an axis.</source>
+            <translation>Corta SOLID (STL, STEP, BREP ou FCStd) em chapas de uma espessura ao longo de um eixo.</translation>
+        </message>
+        <message>
+            <source>Cut a solid into sheets of a thickness: drawings, marks, nested pieces.</source>
+            <translation>Corta um sólido em chapas de uma espessura: desenhos, marcas, peças aninhadas.</translation>
+        </message>
+        <message>
+            <source>Cut charts: feed, kerf, pierce and power for process, material and thickness.</source>
+            <translation>Tabelas de corte: avanço, largura do corte, perfuração e potência por processo, material e espessura.</translation>
+        </message>
+        <message>
+            <source>Cut every contour the other way round.</source>
+            <translation>Corta cada contorno no sentido contrário.</translation>
+        </message>
+        <message>
+            <source>Cut every contour the other way round: climb milling becomes conventional.</source>
+            <translation>Corta cada contorno no sentido contrário: fresamento concordante passa a discordante.</translation>
+        </message>
+        <message>
+            <source>Cut facing edges of neighbours once; the order's gap must be 0.</source>
+            <translation>Corta uma só vez as bordas de vizinhos que se tocam; a folga do pedido deve ser 0.</translation>
+        </message>
+        <message>
+            <source>Cut so many mm before the place again, within its cut.</source>
+            <translation>Corta de novo estes mm antes do ponto, dentro do seu corte.</translation>
+        </message>
+        <message>
+            <source>DIR/sheet-N.dxf, DIR/remnant-N-M.dxf, DIR/placements.json and DIR/nest.png are written. Ctrl+C ends the search with the best layout so far. The last line is the density: the parts' area by that of the sheets used. Exit 1 when parts have no place; each is told with the reason.</source>
+            <translation>São escritos DIR/sheet-N.dxf, DIR/remnant-N-M.dxf, DIR/placements.json e DIR/nest.png. Ctrl+C termina a busca com o melhor arranjo até então. A última linha é o aproveitamento (density): a área das peças pela das chapas usadas. Sai com 1 quando há peças sem lugar; cada uma é dita com o motivo.</translation>
+        </message>
+        <message>
+            <source>DIR/slice-NNN.dxf has the outlines (layer CUT), registration holes and the number of each sheet; DIR/slices.json the places and volumes, DIR/assembled.png the stack. With --sheet the pieces are nested: sheet-N.dxf, placements.json. With --template each nested sheet gets job, program, report and certificate: job-N.toml, job-N.nc. Its rules take the layers CUT, REGISTRATION and MARK. Exit 1 when a piece has no place or a sheet no sound program.</source>
+            <translation>DIR/slice-NNN.dxf tem os contornos (camada CUT), os furos de referência e o número de cada chapa; DIR/slices.json os lugares e volumes, DIR/assembled.png a pilha. Com --sheet as peças são aninhadas: sheet-N.dxf, placements.json. Com --template cada chapa aninhada recebe trabalho, programa, relatório e certificado: job-N.toml, job-N.nc. Suas regras usam as camadas CUT, REGISTRATION e MARK. Sai com 1 quando uma peça não tem lugar ou uma chapa não tem programa válido.</translation>
+        </message>
+        <message>
+            <source>Degrees, counter-clockwise seen from above.</source>
+            <translation>Graus, no sentido anti-horário visto de cima.</translation>
+        </message>
+        <message>
+            <source>Did you mean {possibility}?</source>
+            <translation>Você quis dizer {possibility}?</translation>
+        </message>
+        <message>
+            <source>Do you want to continue?</source>
+            <translation>Deseja continuar?</translation>
+        </message>
+        <message>
+            <source>Draw it, with what is wrong marked: .png or .svg.</source>
+            <translation>Desenha-o, com o que está errado marcado: .png ou .svg.</translation>
+        </message>
+        <message>
+            <source>Draw the mean diameters into this file: .png, .svg or .pdf.</source>
+            <translation>Desenha os diâmetros médios neste arquivo: .png, .svg ou .pdf.</translation>
+        </message>
+        <message>
+            <source>Draw the part that a program cuts.</source>
+            <translation>Desenha a peça que um programa corta.</translation>
+        </message>
+        <message>
+            <source>Draw the readings into this file: .png, .svg or .pdf.</source>
+            <translation>Desenha as leituras neste arquivo: .png, .svg ou .pdf.</translation>
+        </message>
+        <message>
+            <source>Draw what PROGRAM leaves of the stock, at its end or at a moment; times are the job's machine's or table-a's unless told.</source>
+            <translation>Desenha o que PROGRAM deixa do bruto, no fim ou em um momento; os tempos são os da máquina do trabalho, ou da table-a, se nada for dito.</translation>
+        </message>
+        <message>
+            <source>Drive a circle in air, clockwise, from here; its centre lies on X in the positive direction.</source>
+            <translation>Percorre um círculo no ar, no sentido horário, a partir daqui; o centro fica em X no sentido positivo.</translation>
+        </message>
+        <message>
+            <source>Drive a square in air, from here along X and Y in their positive directions, and back to here.</source>
+            <translation>Percorre um quadrado no ar, daqui ao longo de X e Y nos sentidos positivos, e de volta.</translation>
+        </message>
+        <message>
+            <source>Drive to the corners of a rectangle, ask for its diagonals, and print the angle between X and Y.</source>
+            <translation>Vai aos cantos de um retângulo, pergunta as diagonais, e imprime o ângulo entre X e Y.</translation>
+        </message>
+        <message>
+            <source>Each sets all modes at its begin and switches off at its end.</source>
+            <translation>Cada um define todos os modos no início e desliga tudo no fim.</translation>
+        </message>
+        <message>
+            <source>Each start is reached in the sense of the length, so that backlash does not count. Prints mean and standard deviation, and proposes the corrected value, which is written into the profile if you say so. A controller of grbl's family has steps per mm of its own ($100 to $102): it is offered the same value.</source>
+            <translation>Cada partida é alcançada no sentido do comprimento, para que a folga não conte. Imprime média e desvio padrão, e propõe o valor corrigido, que é escrito no perfil se você concordar. Um controlador da família grbl tem seus próprios passos por mm ($100 a $102): o mesmo valor lhe é oferecido.</translation>
+        </message>
+        <message>
+            <source>End a job that runs.</source>
+            <translation>Encerra um trabalho em execução.</translation>
+        </message>
+        <message>
+            <source>End the job that runs: hold, standstill, reset; spindle, torch, laser and coolant off, the position kept.</source>
+            <translation>Encerra o trabalho em execução: pausa, parada, reset; fuso, tocha, laser e refrigeração desligados, a posição conservada.</translation>
+        </message>
+        <message>
+            <source>End when the client disconnects, or when none connects within 30 s.</source>
+            <translation>Termina quando o cliente se desconecta, ou quando nenhum se conecta em 30 s.</translation>
+        </message>
+        <message>
+            <source>Error: invalid input</source>
+            <translation>Erro: entrada inválida</translation>
+        </message>
+        <message>
+            <source>Error: {message}</source>
+            <translation>Erro: {message}</translation>
+        </message>
+        <message>
+            <source>Every F word times this: 0.8 is a fifth slower.</source>
+            <translation>Cada palavra F vezes isto: 0.8 é um quinto mais lento.</translation>
+        </message>
+        <message>
+            <source>Every job that is sent has a journal, in which each line stands before it goes out. After a crash of the computer or of the sender, a cut cable or a power loss, it tells which lines are certainly cut, which may be, and which are certainly not, whether the machine must be homed, and the command that restarts the program. Nothing is sent from here. A job that still runs is refused.</source>
+            <translation>Cada trabalho enviado tem um diário, em que cada linha está antes de sair. Depois de uma queda do computador ou do envio, de um cabo cortado ou da falta de energia, ele diz quais linhas foram certamente cortadas, quais talvez, e quais certamente não, se a máquina precisa de referenciamento, e o comando que retoma o programa. Nada é enviado daqui. Um trabalho ainda em execução é recusado.</translation>
+        </message>
+        <message>
+            <source>Everything before that place counts as cut. The tool goes up and over the place, the spindle starts, and the tool goes down at the plunge feed; a beam is switched on at the bottom. Offsets and modes are those of the undisturbed run, and the program's own lines follow unchanged. If the place cannot be entered, an earlier place is used and printed.</source>
+            <translation>Tudo antes desse ponto conta como cortado. A ferramenta sobe e vai sobre o ponto, o fuso parte, e a ferramenta desce com o avanço de mergulho; um feixe é ligado embaixo. Origens e modos são os da execução sem interrupção, e as linhas do próprio programa seguem sem mudança. Se não é possível entrar nesse ponto, um anterior é usado e impresso.</translation>
+        </message>
+        <message>
+            <source>Exit 0 when the restart is clean (and, with --port, done), else 1.</source>
+            <translation>Sai com 0 quando a retomada não tem erros (e, com --port, terminou), senão com 1.</translation>
+        </message>
+        <message>
+            <source>F of rapids in mm/min, for Marlin.</source>
+            <translation>F dos rápidos em mm/min, para Marlin.</translation>
+        </message>
+        <message>
+            <source>FIND is a regular expression, NEW may name its groups: \1.</source>
+            <translation>FIND é uma expressão regular, NEW pode citar seus grupos: \1.</translation>
+        </message>
+        <message>
+            <source>Find and replace in the code: PROGRAM F800 F650.</source>
+            <translation>Procura e substitui no código: PROGRAM F800 F650.</translation>
+        </message>
+        <message>
+            <source>Folder for all files of the order.</source>
+            <translation>Pasta para todos os arquivos do pedido.</translation>
+        </message>
+        <message>
+            <source>Folder for drawings, list and pictures.</source>
+            <translation>Pasta para desenhos, lista e imagens.</translation>
+        </message>
+        <message>
+            <source>Folder for drawings, placements, picture.</source>
+            <translation>Pasta para desenhos, posições e imagem.</translation>
+        </message>
+        <message>
+            <source>Folder for the programs.</source>
+            <translation>Pasta para os programas.</translation>
+        </message>
+        <message>
+            <source>Folder for the results.</source>
+            <translation>Pasta para os resultados.</translation>
+        </message>
+        <message>
+            <source>For a lathe give --turn, --depth and --feed in place of --tool. Printed are the force, power and torque of the cut, the nearest of the machine's preset speeds, and what is too weak: motor, chuck or bar.</source>
+            <translation>Para um torno dê --turn, --depth e --feed no lugar de --tool. São impressos a força, a potência e o torque do corte, a mais próxima das rotações fixas da máquina, e o que é fraco demais: motor, placa ou barra.</translation>
+        </message>
+        <message>
+            <source>From a drawing to a cut part on stepper-driven machines.</source>
+            <translation>Do desenho à peça cortada em máquinas com motores de passo.</translation>
+        </message>
+        <message>
+            <source>From one to the next.</source>
+            <translation>De um ao seguinte.</translation>
+        </message>
+        <message>
+            <source>From which it comes, in mm.</source>
+            <translation>De onde ela vem, em mm.</translation>
+        </message>
+        <message>
+            <source>Full steps of the motor a turn. [default: 200]</source>
+            <translation>Passos inteiros do motor por volta. [padrão: 200]</translation>
+        </message>
+        <message>
+            <source>Gaps closed by a line, mm.</source>
+            <translation>Lacunas fechadas por uma linha, mm.</translation>
+        </message>
+        <message>
+            <source>Give every line with code an N word: N10, N20, N30.</source>
+            <translation>Dá uma palavra N a cada linha com código: N10, N20, N30.</translation>
+        </message>
+        <message>
+            <source>Go back along the cut of a held job, forward again, and go on.</source>
+            <translation>Volta ao longo do corte de um trabalho em pausa, avança de novo, e continua.</translation>
+        </message>
+        <message>
+            <source>Go back by this length along the cut.</source>
+            <translation>Volta este comprimento ao longo do corte.</translation>
+        </message>
+        <message>
+            <source>Go back to where line N of the program begins.</source>
+            <translation>Volta até onde começa a linha N do programa.</translation>
+        </message>
+        <message>
+            <source>Go back to where the tool last began to go down into the work.</source>
+            <translation>Volta até onde a ferramenta começou a descer na peça pela última vez.</translation>
+        </message>
+        <message>
+            <source>Go forward again: by MM, or without a number to where the cut ended.</source>
+            <translation>Avança de novo: por MM, ou sem número até onde o corte terminou.</translation>
+        </message>
+        <message>
+            <source>Go on after an interruption</source>
+            <translation>Continuar depois de uma interrupção</translation>
+        </message>
+        <message>
+            <source>Go on with a program from a place in its middle: checked, written or sent.</source>
+            <translation>Retoma um programa de um ponto no meio: verificado, escrito ou enviado.</translation>
+        </message>
+        <message>
+            <source>Go up to this Z first. [default: the program's highest crossing rapid]</source>
+            <translation>Sobe antes até este Z. [padrão: o mais alto rápido de travessia do programa]</translation>
+        </message>
+        <message>
+            <source>Got unexpected extra argument ({args})</source>
+            <translation>Argumento extra inesperado ({args})</translation>
+        </message>
+        <message>
+            <source>Got unexpected extra arguments ({args})</source>
+            <translation>Argumentos extras inesperados ({args})</translation>
+        </message>
+        <message>
+            <source>High nibble: motor 0 to 3, in the order of the profile's [signals] motors; without --machine of usb-board. Low nibble: coils L1 to L4, forwards A 9 5 6. Only a change of motor is a clock edge: a second byte for the same motor moves nothing. It buffers 384 bytes and sends nothing.</source>
+            <translation>Nibble alto: motor 0 a 3, na ordem dos motores em [signals] do perfil; sem --machine os de usb-board. Nibble baixo: bobinas L1 a L4, para a frente A 9 5 6. Só uma mudança de motor é uma borda de clock: um segundo byte para o mesmo motor nada move. Guarda 384 bytes e nada envia.</translation>
+        </message>
+        <message>
+            <source>Hold a job that runs, from any terminal.</source>
+            <translation>Pausa um trabalho em execução, de qualquer terminal.</translation>
+        </message>
+        <message>
+            <source>Hold the running job: the machine slows down and stops, no position is lost, the spindle keeps turning.</source>
+            <translation>Pausa o trabalho em execução: a máquina desacelera e para, nenhuma posição se perde, o fuso continua girando.</translation>
+        </message>
+        <message>
+            <source>Home the machine first ($H); make sure the way is free.</source>
+            <translation>Faz antes o referenciamento da máquina ($H); certifique-se de que o caminho está livre.</translation>
+        </message>
+        <message>
+            <source>How far arcs may be off a spline or an ellipse, mm.</source>
+            <translation>Quanto arcos podem se afastar de uma spline ou elipse, mm.</translation>
+        </message>
+        <message>
+            <source>How far it goes, mm.</source>
+            <translation>Quanto ele anda, mm.</translation>
+        </message>
+        <message>
+            <source>How far the new path may be off, mm.</source>
+            <translation>Quanto o novo percurso pode se afastar, mm.</translation>
+        </message>
+        <message>
+            <source>How far the raw end lies over z = 0, mm.</source>
+            <translation>Quanto a ponta bruta passa de z = 0, mm.</translation>
+        </message>
+        <message>
+            <source>How far to move along X, mm.</source>
+            <translation>Quanto mover em X, mm.</translation>
+        </message>
+        <message>
+            <source>How far to move along Y, mm.</source>
+            <translation>Quanto mover em Y, mm.</translation>
+        </message>
+        <message>
+            <source>How far to move along Z, mm.</source>
+            <translation>Quanto mover em Z, mm.</translation>
+        </message>
+        <message>
+            <source>How fast, mm/min. [default: 1000, of --machine the axis' fastest]</source>
+            <translation>Com que velocidade, mm/min. [padrão: 1000, de --machine a máxima do eixo]</translation>
+        </message>
+        <message>
+            <source>How long each is on.</source>
+            <translation>Por quanto tempo cada um fica ligado.</translation>
+        </message>
+        <message>
+            <source>How many minutes the connection stays open for the next verb, so that the board does not restart; 0 closes it with this one.</source>
+            <translation>Quantos minutos a conexão fica aberta para o próximo verbo, para que a placa não reinicie; 0 a fecha com este.</translation>
+        </message>
+        <message>
+            <source>How many squares.</source>
+            <translation>Quantos quadrados.</translation>
+        </message>
+        <message>
+            <source>How parts may be turned.</source>
+            <translation>Como as peças podem ser giradas.</translation>
+        </message>
+        <message>
+            <source>How the program is to be read: fanuc-lathe, fluidnc, grbl, grblhal, iso, linuxcnc, mach, mach-turn, marlin, mini-lathe, qtplasmac, thesis-a. [default: as the machine does; without one grbl]</source>
+            <translation>Como o programa deve ser lido: fanuc-lathe, fluidnc, grbl, grblhal, iso, linuxcnc, mach, mach-turn, marlin, mini-lathe, qtplasmac, thesis-a. [padrão: como a máquina o lê; sem uma, grbl]</translation>
+        </message>
+        <message>
+            <source>How the program is to be read: fanuc-lathe, fluidnc, grbl, grblhal, iso, linuxcnc, mach, mach-turn, marlin, mini-lathe, qtplasmac, thesis-a. [default: linuxcnc]</source>
+            <translation>Como o programa deve ser lido: fanuc-lathe, fluidnc, grbl, grblhal, iso, linuxcnc, mach, mach-turn, marlin, mini-lathe, qtplasmac, thesis-a. [padrão: linuxcnc]</translation>
+        </message>
+        <message>
+            <source>How thick the material is, in mm.</source>
+            <translation>A espessura do material, em mm.</translation>
+        </message>
+        <message>
+            <source>How tools are changed. [default: m6 where the target has it]</source>
+            <translation>Como as ferramentas são trocadas. [padrão: m6 onde o destino o tem]</translation>
+        </message>
+        <message>
+            <source>In mm.</source>
+            <translation>Em mm.</translation>
+        </message>
+        <message>
+            <source>In place of the template's: a profile's name or file.</source>
+            <translation>No lugar da do modelo: o nome de um perfil ou seu arquivo.</translation>
+        </message>
+        <message>
+            <source>In rows: 3x2. One program fills it.</source>
+            <translation>Em fileiras: 3x2. Um só programa as preenche.</translation>
+        </message>
+        <message>
+            <source>In the negative direction.</source>
+            <translation>No sentido negativo.</translation>
+        </message>
+        <message>
+            <source>Inject the faults of this TOML or JSON file, and print each; see docs/user-guide/sending/faults.md.</source>
+            <translation>Injeta as falhas deste arquivo TOML ou JSON, e imprime cada uma; veja docs/user-guide/sending/faults.md.</translation>
+        </message>
+        <message>
+            <source>Invalid value for {param_hint}: {message}</source>
+            <translation>Valor inválido para {param_hint}: {message}</translation>
+        </message>
+        <message>
+            <source>Invalid value: {message}</source>
+            <translation>Valor inválido: {message}</translation>
+        </message>
+        <message>
+            <source>It also works while `cncstepper send` holds its job at that port. The controller is then reset at standstill, which stops the spindle. `cncstepper back --resume` goes on: up, across and slowly down to the cut, and along it. At a pause, or during a tool change (M6 of grblHAL), nothing is reset, and the tool returns before the job resumes.</source>
+            <translation>Também funciona enquanto `cncstepper send` mantém seu trabalho em pausa nessa porta. O controlador então recebe um reset parado, que para o fuso. `cncstepper back --resume` continua: sobe, atravessa e desce devagar até o corte, e segue por ele. Em uma pausa, ou durante uma troca de ferramenta (M6 do grblHAL), não há reset, e a ferramenta volta antes que o trabalho continue.</translation>
+        </message>
+        <message>
+            <source>It has names, travel, speeds and the tool head; steps per mm, accelerations and homing come from --from.</source>
+            <translation>Tem nomes, curso, velocidades e o cabeçote; passos por mm, acelerações e referenciamento vêm de --from.</translation>
+        </message>
+        <message>
+            <source>It is of high-speed steel, not of carbide.</source>
+            <translation>É de aço rápido, não de metal duro.</translation>
+        </message>
+        <message>
+            <source>It is stored in the work system in force (G54 as a rule) of the controller at --port, and read back. The machine must be idle; nothing moves. The connection stays open for the verbs that follow, --keep-open minutes long or until `cncstepper disconnect`, so that a board that restarts when its port is opened keeps its zero till then.</source>
+            <translation>É guardado no sistema de trabalho em vigor (em regra G54) do controlador em --port, e lido de volta. A máquina deve estar parada; nada se move. A conexão fica aberta para os verbos seguintes, por --keep-open minutos ou até `cncstepper disconnect`, para que uma placa que reinicia ao abrir a porta conserve seu zero até lá.</translation>
+        </message>
+        <message>
+            <source>It reports what it does not understand, guesses or does not write.</source>
+            <translation>Informa o que não entende, supõe ou não escreve.</translation>
+        </message>
+        <message>
+            <source>It starts in manual mode: A to H move, I sets the feed speed, P stops, Y begins the automatic mode, Z quits. In automatic mode a record ends with #; a ? starts the records before it. It sends nothing. A full buffer loses bytes, and a record that cannot be read is skipped; both are printed here. Y cannot be undone, and M02 ends the program. Without --machine it has 80 steps/mm in X and Z.</source>
+            <translation>Começa no modo manual: A a H movem, I define o avanço, P para, Y começa o modo automático, Z sai. No modo automático um registro termina com #; um ? inicia os registros antes dele. Nada envia. Um buffer cheio perde bytes, e um registro ilegível é pulado; ambos são impressos aqui. Y não pode ser desfeito, e M02 termina o programa. Sem --machine tem 80 passos/mm em X e Z.</translation>
+        </message>
+        <message>
+            <source>Its cutting edges. [default: 2]</source>
+            <translation>Suas arestas de corte. [padrão: 2]</translation>
+        </message>
+        <message>
+            <source>Its key.</source>
+            <translation>Sua chave.</translation>
+        </message>
+        <message>
+            <source>Its turns for one of screw or pulley.</source>
+            <translation>Suas voltas para uma do fuso ou da polia.</translation>
+        </message>
+        <message>
+            <source>Join, close and take out what is wrong within the limits; -o writes it.</source>
+            <translation>Une, fecha e retira o que está errado dentro dos limites; -o o escreve.</translation>
+        </message>
+        <message>
+            <source>KEY= without a value takes a key or table out. The whole profile is checked before anything is written. A shipped profile is never changed: its first change makes one of yours with its name.</source>
+            <translation>KEY= sem valor retira uma chave ou tabela. O perfil inteiro é verificado antes que algo seja escrito. Um perfil fornecido nunca é mudado: sua primeira mudança cria um seu com o mesmo nome.</translation>
+        </message>
+        <message>
+            <source>Let a job go on that stands.</source>
+            <translation>Deixa continuar um trabalho em pausa.</translation>
+        </message>
+        <message>
+            <source>Let a machine find its own zero.</source>
+            <translation>Faz o referenciamento de uma máquina.</translation>
+        </message>
+        <message>
+            <source>Let the machine at --port find its own zero with its limit switches ($H), and wait until it has.</source>
+            <translation>Faz o referenciamento da máquina em --port com seus fins de curso ($H), e espera até terminar.</translation>
+        </message>
+        <message>
+            <source>Lift Z by so many mm for it.</source>
+            <translation>Levanta Z estes mm para isso.</translation>
+        </message>
+        <message>
+            <source>Lines also come from a pipe or a file; then the first refusal ends it with exit status 1.</source>
+            <translation>Linhas também vêm de um pipe ou de um arquivo; então a primeira recusa o encerra com status 1.</translation>
+        </message>
+        <message>
+            <source>Lines that are one, mm.</source>
+            <translation>Linhas que são uma só, mm.</translation>
+        </message>
+        <message>
+            <source>LinuxCNC's parameter file (.var) in mm: work offsets, G92, the places of G28 and G30.</source>
+            <translation>Arquivo de parâmetros do LinuxCNC (.var) em mm: origens de trabalho, G92, os pontos de G28 e G30.</translation>
+        </message>
+        <message>
+            <source>LinuxCNC's parameter file (.var), in inches. [default: all 0]</source>
+            <translation>Arquivo de parâmetros do LinuxCNC (.var), em polegadas. [padrão: tudo 0]</translation>
+        </message>
+        <message>
+            <source>LinuxCNC's tool table, in inches. [default: that of its samples]</source>
+            <translation>Tabela de ferramentas do LinuxCNC, em polegadas. [padrão: a dos seus exemplos]</translation>
+        </message>
+        <message>
+            <source>List all profiles: name, whose it is, controller, processes, travel.</source>
+            <translation>Lista todos os perfis: nome, de quem é, controlador, processos, curso.</translation>
+        </message>
+        <message>
+            <source>List every journal that is kept, the latest first.</source>
+            <translation>Lista todos os diários guardados, do mais recente ao mais antigo.</translation>
+        </message>
+        <message>
+            <source>List the rows of the chart that ships for a process, or of a chart of the shop's own.</source>
+            <translation>Lista as linhas da tabela fornecida para um processo, ou de uma tabela própria da oficina.</translation>
+        </message>
+        <message>
+            <source>List the serial ports of this computer, or say what answers at each port given with --ask.</source>
+            <translation>Lista as portas seriais deste computador, ou diz o que responde em cada porta dada com --ask.</translation>
+        </message>
+        <message>
+            <source>List the serial ports, or say what controller answers at one.</source>
+            <translation>Lista as portas seriais, ou diz qual controlador responde em uma.</translation>
+        </message>
+        <message>
+            <source>List the settings that are equal too.</source>
+            <translation>Lista também as configurações iguais.</translation>
+        </message>
+        <message>
+            <source>List the tools of FILE: .fctb or .fctl of FreeCAD, .tbl of LinuxCNC; with --to convert them.</source>
+            <translation>Lista as ferramentas de FILE: .fctb ou .fctl do FreeCAD, .tbl do LinuxCNC; com --to as converte.</translation>
+        </message>
+        <message>
+            <source>List the tools of a FreeCAD library or a LinuxCNC table, and convert them.</source>
+            <translation>Lista as ferramentas de uma biblioteca do FreeCAD ou tabela do LinuxCNC, e as converte.</translation>
+        </message>
+        <message>
+            <source>List, make, show and change machine profiles; read and write FreeCAD's.</source>
+            <translation>Lista, cria, mostra e muda perfis da máquina; lê e escreve os do FreeCAD.</translation>
+        </message>
+        <message>
+            <source>List, show and convert cut charts; write kerf and speed tests.</source>
+            <translation>Lista, mostra e converte tabelas de corte; escreve ensaios de largura do corte e de velocidade.</translation>
+        </message>
+        <message>
+            <source>Listen there, for example 127.0.0.1:2217; port 0 picks a free one.</source>
+            <translation>Escuta ali, por exemplo 127.0.0.1:2217; a porta 0 escolhe uma livre.</translation>
+        </message>
+        <message>
+            <source>Look in comments too.</source>
+            <translation>Procura também nos comentários.</translation>
+        </message>
+        <message>
+            <source>Machine profiles: those that ship, and your own.</source>
+            <translation>Perfis da máquina: os fornecidos, e os seus.</translation>
+        </message>
+        <message>
+            <source>Machine, tools and rules of the shop, a TOML file.</source>
+            <translation>Máquina, ferramentas e regras da oficina, um arquivo TOML.</translation>
+        </message>
+        <message>
+            <source>Make DIR/program.nc, DIR/report.json, DIR/certificate.zip and DIR/part.png from the job file JOB.</source>
+            <translation>Cria DIR/program.nc, DIR/report.json, DIR/certificate.zip e DIR/part.png do arquivo de trabalho JOB.</translation>
+        </message>
+        <message>
+            <source>Make a checked program of each nested sheet by this job template.</source>
+            <translation>Cria um programa verificado de cada chapa aninhada por este modelo de trabalho.</translation>
+        </message>
+        <message>
+            <source>Make a job file of DRAWING by the rules of a template, which `cncstepper run` then makes a program of.</source>
+            <translation>Cria de DRAWING um arquivo de trabalho pelas regras de um modelo, do qual `cncstepper run` então faz um programa.</translation>
+        </message>
+        <message>
+            <source>Make a job file of a drawing by the rules of a template.</source>
+            <translation>Cria um arquivo de trabalho de um desenho pelas regras de um modelo.</translation>
+        </message>
+        <message>
+            <source>Make a profile of your own from another one; its comments come along.</source>
+            <translation>Cria um perfil seu a partir de outro; os comentários vêm junto.</translation>
+        </message>
+        <message>
+            <source>Make a program for each tool: --out FOLDER.</source>
+            <translation>Cria um programa para cada ferramenta: --out FOLDER.</translation>
+        </message>
+        <message>
+            <source>Make a program for each tool: FOLDER/NAME-1-T1.nc, NAME-2-T4.nc and so on.</source>
+            <translation>Cria um programa para cada ferramenta: FOLDER/NAME-1-T1.nc, NAME-2-T4.nc e assim por diante.</translation>
+        </message>
+        <message>
+            <source>Make all feeds faster or slower: --factor 0.8.</source>
+            <translation>Torna todos os avanços mais rápidos ou mais lentos: --factor 0.8.</translation>
+        </message>
+        <message>
+            <source>Make and check programs</source>
+            <translation>Criar e verificar programas</translation>
+        </message>
+        <message>
+            <source>Make one program of PROGRAMS, each placed, turned and counted: --at 10,20,90, --grid 3x2 or --sheet 600,400.</source>
+            <translation>Cria um só programa de PROGRAMS, cada um posicionado, girado e contado: --at 10,20,90, --grid 3x2 ou --sheet 600,400.</translation>
+        </message>
+        <message>
+            <source>Make one program of several, each placed, turned and counted.</source>
+            <translation>Cria um só programa de vários, cada um posicionado, girado e contado.</translation>
+        </message>
+        <message>
+            <source>Make or change your profile NAME by the settings of the controller at --port.</source>
+            <translation>Cria ou muda o seu perfil NAME pelas configurações do controlador em --port.</translation>
+        </message>
+        <message>
+            <source>Make program, report, certificate and picture from a job file.</source>
+            <translation>Cria programa, relatório, certificado e imagem de um arquivo de trabalho.</translation>
+        </message>
+        <message>
+            <source>Make the mirror image: --axis x turns left into right. Climb milling becomes conventional.</source>
+            <translation>Faz a imagem espelhada: --axis x troca esquerda e direita. Fresamento concordante passa a discordante.</translation>
+        </message>
+        <message>
+            <source>Make the path larger or smaller: --factor 1.02, or --x 2 --y 2 and Z as it is. Feeds stay.</source>
+            <translation>Torna o percurso maior ou menor: --factor 1.02, ou --x 2 --y 2 e Z como está. Os avanços ficam.</translation>
+        </message>
+        <message>
+            <source>Make the path larger or smaller: --factor 1.02.</source>
+            <translation>Torna o percurso maior ou menor: --factor 1.02.</translation>
+        </message>
+        <message>
+            <source>Make the settings of the controller at --port those of OTHER: a backup's file, or a machine profile by its name.</source>
+            <translation>Faz as configurações do controlador em --port iguais às de OTHER: o arquivo de uma cópia de segurança, ou um perfil da máquina pelo nome.</translation>
+        </message>
+        <message>
+            <source>Make the tool's place the work zero.</source>
+            <translation>Faz do lugar da ferramenta o zero da peça.</translation>
+        </message>
+        <message>
+            <source>Make the tool's position the work zero of AXES: XYZ where none are given, or Z, or XY.</source>
+            <translation>Faz da posição da ferramenta o zero da peça de AXES: XYZ quando nenhum é dado, ou Z, ou XY.</translation>
+        </message>
+        <message>
+            <source>Make your profile NAME from FILE, a machine file of FreeCAD's (.fcm).</source>
+            <translation>Cria o seu perfil NAME de FILE, um arquivo de máquina do FreeCAD (.fcm).</translation>
+        </message>
+        <message>
+            <source>Make, nest, prove and price the drawings of ORDER, a CSV: drawing, template, material, thickness_mm, count.</source>
+            <translation>Cria, aninha, prova e orça os desenhos de ORDER, um CSV: drawing, template, material, thickness_mm, count.</translation>
+        </message>
+        <message>
+            <source>Make, nest, prove and price the drawings of an order.</source>
+            <translation>Cria, aninha, prova e orça os desenhos de um pedido.</translation>
+        </message>
+        <message>
+            <source>Many boards restart when their port is opened; then the position is unknown. With limit switches give --home. Without them move the tool to the work zero, run `cncstepper zero`, and send without moving anything in between; with any other zero nothing is sent. After an alarm, a lost link or a killed sender the position is unknown for all later connections too. Then nothing is sent before --home, `cncstepper home`, or `cncstepper zero` for all axes.</source>
+            <translation>Muitas placas reiniciam quando sua porta é aberta; então a posição é desconhecida. Com fins de curso dê --home. Sem eles mova a ferramenta ao zero da peça, execute `cncstepper zero`, e envie sem mover nada nesse meio-tempo; com qualquer outro zero nada é enviado. Depois de um alarme, uma ligação perdida ou um envio interrompido à força a posição é desconhecida também para todas as conexões seguintes. Então nada é enviado antes de --home, `cncstepper home`, ou `cncstepper zero` de todos os eixos.</translation>
+        </message>
+        <message>
+            <source>Many parts</source>
+            <translation>Muitas peças</translation>
+        </message>
+        <message>
+            <source>May be missing where the target lacks it; otherwise such a program is refused.</source>
+            <translation>Pode faltar onde o destino não o tem; senão tal programa é recusado.</translation>
+        </message>
+        <message>
+            <source>Measure both diagonals of the rectangle, not only one (3-4-5).</source>
+            <translation>Mede as duas diagonais do retângulo, não só uma (3-4-5).</translation>
+        </message>
+        <message>
+            <source>Measure both: kerf = kerf of the chart + (side - part + hole - its side) / 2; write it into a chart of your own.</source>
+            <translation>Meça ambos: largura do corte = a da tabela + (lado - peça + furo - lado do furo) / 2; escreva-a em uma tabela sua.</translation>
+        </message>
+        <message>
+            <source>Missing argument</source>
+            <translation>Falta o argumento</translation>
+        </message>
+        <message>
+            <source>Missing command.</source>
+            <translation>Falta o comando.</translation>
+        </message>
+        <message>
+            <source>Missing option</source>
+            <translation>Falta a opção</translation>
+        </message>
+        <message>
+            <source>Missing parameter</source>
+            <translation>Falta o parâmetro</translation>
+        </message>
+        <message>
+            <source>Missing parameter: {param_name}</source>
+            <translation>Falta o parâmetro: {param_name}</translation>
+        </message>
+        <message>
+            <source>Move a machine's axes by hand.</source>
+            <translation>Move à mão os eixos de uma máquina.</translation>
+        </message>
+        <message>
+            <source>Move the axes of the machine at --port by WAY, in mm: X10, or X-2.5 Y3 together.</source>
+            <translation>Move os eixos da máquina em --port por WAY, em mm: X10, ou X-2.5 Y3 juntos.</translation>
+        </message>
+        <message>
+            <source>Move the whole path: --x 25 --y -10.</source>
+            <translation>Desloca o percurso inteiro: --x 25 --y -10.</translation>
+        </message>
+        <message>
+            <source>Move, scale, turn, mirror, renumber, split ... a program.</source>
+            <translation>Desloca, escala, gira, espelha, renumera, divide ... um programa.</translation>
+        </message>
+        <message>
+            <source>Names of the runs of sheets, from the lowest.</source>
+            <translation>Nomes das sequências de chapas, de baixo para cima.</translation>
+        </message>
+        <message>
+            <source>Nest on a sheet of that size, from 0, 0.</source>
+            <translation>Aninha em uma chapa desse tamanho, a partir de 0, 0.</translation>
+        </message>
+        <message>
+            <source>Nest the pieces on sheets of that size. [default with --template: the template's, or the machine's travel]</source>
+            <translation>Aninha as peças em chapas desse tamanho. [padrão com --template: o do modelo, ou o curso da máquina]</translation>
+        </message>
+        <message>
+            <source>No such command {name!r}.</source>
+            <translation>Não há o comando {name!r}.</translation>
+        </message>
+        <message>
+            <source>No such option {name!r}.</source>
+            <translation>Não há a opção {name!r}.</translation>
+        </message>
+        <message>
+            <source>Nominal, mm.</source>
+            <translation>Nominal, mm.</translation>
+        </message>
+        <message>
+            <source>Nominal, mm; of a cone that of its base.</source>
+            <translation>Nominal, mm; de um cone o da base.</translation>
+        </message>
+        <message>
+            <source>Nothing is cut: take the tool out, or lift it, and keep a hand at the emergency stop. Ctrl-C brakes.</source>
+            <translation>Nada é cortado: retire a ferramenta, ou levante-a, e mantenha a mão na parada de emergência. Ctrl-C freia.</translation>
+        </message>
+        <message>
+            <source>Nothing is mended without --mend; every change is then printed. A CadQuery or build123d script (.py) is run, in a process that may take 60 s and 4 GB and writes nothing. Exit 0 where the file was read, 1 where it is refused.</source>
+            <translation>Nada é corrigido sem --mend; então cada mudança é impressa. Um script do CadQuery ou build123d (.py) é executado, em um processo que pode levar 60 s e 4 GB e nada escreve. Sai com 0 quando o arquivo foi lido, 1 quando é recusado.</translation>
+        </message>
+        <message>
+            <source>Of a .cfg that does not say it. [default: mm]</source>
+            <translation>De um .cfg que não a diz. [padrão: mm]</translation>
+        </message>
+        <message>
+            <source>Of a picture: a blur of that radius, pixels.</source>
+            <translation>De uma imagem: um desfoque desse raio, pixels.</translation>
+        </message>
+        <message>
+            <source>Of a picture: areas left out up to, mm². [default: four pixels]</source>
+            <translation>De uma imagem: áreas deixadas de fora até, mm². [padrão: quatro pixels]</translation>
+        </message>
+        <message>
+            <source>Of a picture: greys below it are dark. [default: found from the picture]</source>
+            <translation>De uma imagem: cinzas abaixo dele são escuros. [padrão: obtido da imagem]</translation>
+        </message>
+        <message>
+            <source>Of a picture: how far curves may be off the pixels. [default: half a pixel]</source>
+            <translation>De uma imagem: quanto as curvas podem se afastar dos pixels. [padrão: meio pixel]</translation>
+        </message>
+        <message>
+            <source>Of a picture: its light areas are traced.</source>
+            <translation>De uma imagem: suas áreas claras são vetorizadas.</translation>
+        </message>
+        <message>
+            <source>Of a picture: its width.</source>
+            <translation>De uma imagem: sua largura.</translation>
+        </message>
+        <message>
+            <source>Of a picture: pixels an inch. [default: the file's, 96]</source>
+            <translation>De uma imagem: pixels por polegada. [padrão: os do arquivo, 96]</translation>
+        </message>
+        <message>
+            <source>Of a solid: the height of its faces or section, mm. [default: its outline from above]</source>
+            <translation>De um sólido: a altura das suas faces ou da seção, mm. [padrão: seu contorno visto de cima]</translation>
+        </message>
+        <message>
+            <source>Of each search.</source>
+            <translation>De cada busca.</translation>
+        </message>
+        <message>
+            <source>Of the .cfg that is written.</source>
+            <translation>Do .cfg que é escrito.</translation>
+        </message>
+        <message>
+            <source>Of the driver, in a full step. [default: 1]</source>
+            <translation>Do driver, em um passo inteiro. [padrão: 1]</translation>
+        </message>
+        <message>
+            <source>Of the new program. [default: as it was]</source>
+            <translation>Do novo programa. [padrão: como era]</translation>
+        </message>
+        <message>
+            <source>Of the offer. [default: the order's name]</source>
+            <translation>Do orçamento. [padrão: o nome do pedido]</translation>
+        </message>
+        <message>
+            <source>Of the part.</source>
+            <translation>Da peça.</translation>
+        </message>
+        <message>
+            <source>Of the random search.</source>
+            <translation>Da busca aleatória.</translation>
+        </message>
+        <message>
+            <source>Of the sheet, in mm.</source>
+            <translation>Da chapa, em mm.</translation>
+        </message>
+        <message>
+            <source>Of the sheets, mm.</source>
+            <translation>Das chapas, mm.</translation>
+        </message>
+        <message>
+            <source>Of the sheets, mm. [default: the template's, or the machine's travel]</source>
+            <translation>Das chapas, mm. [padrão: o do modelo, ou o curso da máquina]</translation>
+        </message>
+        <message>
+            <source>Of the stock. [default: as the template says]</source>
+            <translation>Do bruto. [padrão: como diz o modelo]</translation>
+        </message>
+        <message>
+            <source>Of the stock. [default: the template's]</source>
+            <translation>Do bruto. [padrão: a do modelo]</translation>
+        </message>
+        <message>
+            <source>Of the tool, mm.</source>
+            <translation>Da ferramenta, mm.</translation>
+        </message>
+        <message>
+            <source>On a lathe, in place of --tool: the diameter, mm.</source>
+            <translation>Em um torno, no lugar de --tool: o diâmetro, mm.</translation>
+        </message>
+        <message>
+            <source>On a lathe: the bar's end runs in a tailstock.</source>
+            <translation>Em um torno: a ponta da barra gira em um contraponto.</translation>
+        </message>
+        <message>
+            <source>On a lathe: the depth of cut a_p, mm.</source>
+            <translation>Em um torno: a profundidade de corte a_p, mm.</translation>
+        </message>
+        <message>
+            <source>On a lathe: the feed f, mm a turn.</source>
+            <translation>Em um torno: o avanço f, mm por volta.</translation>
+        </message>
+        <message>
+            <source>On a lathe: the force of all jaws of the chuck, N.</source>
+            <translation>Em um torno: a força de todas as castanhas da placa, N.</translation>
+        </message>
+        <message>
+            <source>On a lathe: the length of the bar out of the chuck, mm.</source>
+            <translation>Em um torno: o comprimento da barra fora da placa, mm.</translation>
+        </message>
+        <message>
+            <source>On a lathe: the motor's power, W. [default: --machine's]</source>
+            <translation>Em um torno: a potência do motor, W. [padrão: a de --machine]</translation>
+        </message>
+        <message>
+            <source>On a lathe: the speed. [default: of the material]</source>
+            <translation>Em um torno: a rotação. [padrão: a do material]</translation>
+        </message>
+        <message>
+            <source>One of yours that cannot be read is listed with the reason.</source>
+            <translation>Um dos seus que não pode ser lido é listado com o motivo.</translation>
+        </message>
+        <message>
+            <source>One view alone. [default: isometric and depth on one sheet]</source>
+            <translation>Uma só vista. [padrão: isométrica e profundidade em uma folha]</translation>
+        </message>
+        <message>
+            <source>Only what differs is written, line by line, each answered; then all are read back. What the controller does not have is left out. Where steps per mm change, the position is unknown afterwards: home it, or set its zero.</source>
+            <translation>Só o que difere é escrito, linha por linha, cada uma respondida; depois tudo é lido de volta. O que o controlador não tem é deixado de fora. Onde mudam os passos por mm, a posição é desconhecida depois: faça o referenciamento, ou defina o zero.</translation>
+        </message>
+        <message>
+            <source>Option {name!r} does not take a value.</source>
+            <translation>A opção {name!r} não recebe valor.</translation>
+        </message>
+        <message>
+            <source>Option {name!r} requires an argument.</source>
+            <translation>A opção {name!r} precisa de um argumento.</translation>
+        </message>
+        <message>
+            <source>Option {name!r} requires {nargs} arguments.</source>
+            <translation>A opção {name!r} precisa de {nargs} argumentos.</translation>
+        </message>
+        <message>
+            <source>Options</source>
+            <translation>Opções</translation>
+        </message>
+        <message>
+            <source>Our own certificate.</source>
+            <translation>Nosso próprio certificado.</translation>
+        </message>
+        <message>
+            <source>PATH.toml writes PATH-1.toml and so on.</source>
+            <translation>PATH.toml escreve PATH-1.toml e assim por diante.</translation>
+        </message>
+        <message>
+            <source>PROGRAM holds pulse letters, one every so many ms.</source>
+            <translation>PROGRAM contém letras de pulso, uma a cada tantos ms.</translation>
+        </message>
+        <message>
+            <source>Parts of one template, material and thickness are nested on sheets. DIR gets each sheet's drawing, job file, program, report and certificate, remnants, the table of rows and sheets (rows.csv, sheets.csv, order.txt) and an offer (offer.pdf) by the rates of the machine's profile. A row that is refused costs no other one. Run it again after an interruption: what is done is not done again. Exit 1 when a row, a part or a sheet was not made.</source>
+            <translation>Peças de um mesmo modelo, material e espessura são aninhadas em chapas. DIR recebe de cada chapa o desenho, o arquivo de trabalho, o programa, o relatório e o certificado, os retalhos, a tabela de linhas e chapas (rows.csv, sheets.csv, order.txt) e um orçamento (offer.pdf) pelas tarifas do perfil da máquina. Uma linha recusada não custa nenhuma outra. Execute-o de novo depois de uma interrupção: o que está feito não é refeito. Sai com 1 quando uma linha, peça ou chapa não foi feita.</translation>
+        </message>
+        <message>
+            <source>Pins, levels and times are those of the profile's [signals]; without --machine of thesis-table. A pulse is lost if it is too short, or too close to the last pulse or change of direction; each loss is printed. Relays are printed by name. It sends the status register, one byte, when a client connects and when an input changes. With --typed these lines press its inputs, the pins 10, 11, 12, 13 and 15:</source>
+            <translation>Pinos, níveis e tempos são os de [signals] do perfil; sem --machine os de thesis-table. Um pulso se perde se é curto demais, ou perto demais do último pulso ou da mudança de sentido; cada perda é impressa. Relés são impressos pelo nome. Envia o registrador de estado, um byte, quando um cliente se conecta e quando uma entrada muda. Com --typed estas linhas acionam suas entradas, os pinos 10, 11, 12, 13 e 15:</translation>
+        </message>
+        <message>
+            <source>Pitch of the belt, mm; with --teeth.</source>
+            <translation>Passo da correia, mm; com --teeth.</translation>
+        </message>
+        <message>
+            <source>Place the parts of ORDER on its sheets: a TOML order, or the JSON of a strip packing instance.</source>
+            <translation>Coloca as peças de ORDER em suas chapas: um pedido TOML, ou o JSON de um problema de faixa.</translation>
+        </message>
+        <message>
+            <source>Place the parts of an order on sheets, remnants or a strip.</source>
+            <translation>Coloca as peças de um pedido em chapas, retalhos ou uma faixa.</translation>
+        </message>
+        <message>
+            <source>Plunges, spindle, coolant and the order of the contours stay. Refused where that is unsafe, such as ramps.</source>
+            <translation>Mergulhos, fuso, refrigeração e a ordem dos contornos ficam. Recusado onde isso não é seguro, como em rampas.</translation>
+        </message>
+        <message>
+            <source>Positional arguments</source>
+            <translation>Argumentos posicionais</translation>
+        </message>
+        <message>
+            <source>Press its input pins at the times in this TOML file.</source>
+            <translation>Aciona seus pinos de entrada nos tempos deste arquivo TOML.</translation>
+        </message>
+        <message>
+            <source>Press its input pins by lines typed here.</source>
+            <translation>Aciona seus pinos de entrada por linhas digitadas aqui.</translation>
+        </message>
+        <message>
+            <source>Print PROGRAM as PDF or HTML: file, process and material, the work surface with the path, and the text.</source>
+            <translation>Imprime PROGRAM como PDF ou HTML: arquivo, processo e material, a mesa com o percurso, e o texto.</translation>
+        </message>
+        <message>
+            <source>Print a profile as it is written; with KEYS, such as axis.x or planner.ramp, what is in force there.</source>
+            <translation>Imprime um perfil como está escrito; com KEYS, como axis.x ou planner.ramp, o que ali está em vigor.</translation>
+        </message>
+        <message>
+            <source>Print feed and speed of a tool in a material.</source>
+            <translation>Imprime avanço e rotação de uma ferramenta em um material.</translation>
+        </message>
+        <message>
+            <source>Print height, diameters, mean, deviation and ratio to the nominal of measured PARTS, and those of all together.</source>
+            <translation>Imprime altura, diâmetros, média, desvio e razão ao nominal das PARTS medidas, e os de todas juntas.</translation>
+        </message>
+        <message>
+            <source>Print mean, deviation and ratio to the nominal of measured parts.</source>
+            <translation>Imprime média, desvio e razão ao nominal de peças medidas.</translation>
+        </message>
+        <message>
+            <source>Print spindle speed, feed and plunge feed of a tool in a material, and how they come about.</source>
+            <translation>Imprime rotação, avanço e avanço de mergulho de uma ferramenta em um material, e de onde vêm.</translation>
+        </message>
+        <message>
+            <source>Print steps per mm, pulse rate, motor speed and resolution of an axis.</source>
+            <translation>Imprime passos por mm, taxa de pulsos, rotação do motor e resolução de um eixo.</translation>
+        </message>
+        <message>
+            <source>Print steps per mm, resolution, pulses, motor speed, pulse rate and highest feed of one axis, each worked out.</source>
+            <translation>Imprime passos por mm, resolução, pulsos, rotação do motor, taxa de pulsos e maior avanço de um eixo, cada um com o cálculo.</translation>
+        </message>
+        <message>
+            <source>Print the canonical calls of PROGRAM as `rs274 -g` prints them, read as LinuxCNC does unless told.</source>
+            <translation>Imprime as chamadas canônicas de PROGRAM como `rs274 -g` as imprime, lidas como o LinuxCNC se nada for dito.</translation>
+        </message>
+        <message>
+            <source>Print the canonical calls of a program.</source>
+            <translation>Imprime as chamadas canônicas de um programa.</translation>
+        </message>
+        <message>
+            <source>Print the row that cuts a thickness of a material, interpolated where it lies between two.</source>
+            <translation>Imprime a linha que corta uma espessura de um material, interpolada onde ela fica entre duas.</translation>
+        </message>
+        <message>
+            <source>Print the seconds that PROGRAM takes on the machine, from its planner; one number on the last line.</source>
+            <translation>Imprime os segundos que PROGRAM leva na máquina, do seu planejador; um número na última linha.</translation>
+        </message>
+        <message>
+            <source>Print the seconds that a program takes.</source>
+            <translation>Imprime os segundos que um programa leva.</translation>
+        </message>
+        <message>
+            <source>Print what is in the drawing FILE and what is wrong with it: layers, colours, lengths, gaps, doubles, crossings.</source>
+            <translation>Imprime o que há no desenho FILE e o que está errado nele: camadas, cores, comprimentos, lacunas, linhas duplas, cruzamentos.</translation>
+        </message>
+        <message>
+            <source>Print which inputs are on, at each change: XYZ limit switches, P probe, D door, H hold, R reset, S start.</source>
+            <translation>Imprime quais entradas estão ligadas, a cada mudança: XYZ fins de curso, P sonda, D porta, H pausa, R reset, S partida.</translation>
+        </message>
+        <message>
+            <source>Printed are feed/rapid/spindle in percent, and what is on: S or C for the spindle's sense, F flood, M mist. The job is one that `cncstepper send` sent from any terminal, or that was sent from FreeCAD's window.</source>
+            <translation>São impressos avanço/rápido/fuso em por cento, e o que está ligado: S ou C para o sentido do fuso, F jato, M névoa. O trabalho é um que `cncstepper send` enviou de qualquer terminal, ou que foi enviado da janela do FreeCAD.</translation>
+        </message>
+        <message>
+            <source>Processes on this computer.</source>
+            <translation>Processos neste computador.</translation>
+        </message>
+        <message>
+            <source>Pulses a second at most, Hz.</source>
+            <translation>Pulsos por segundo no máximo, Hz.</translation>
+        </message>
+        <message>
+            <source>Put NEW in place of FIND in the code of every line: PROGRAM F800 F650 (F8000 is another number and stays).</source>
+            <translation>Põe NEW no lugar de FIND no código de cada linha: PROGRAM F800 F650 (F8000 é outro número e fica).</translation>
+        </message>
+        <message>
+            <source>Put a program and its work surface on paper: PDF or HTML.</source>
+            <translation>Põe um programa e sua mesa no papel: PDF ou HTML.</translation>
+        </message>
+        <message>
+            <source>Read drawings</source>
+            <translation>Ler desenhos</translation>
+        </message>
+        <message>
+            <source>Refuse a drawing of which no rule takes some chains.</source>
+            <translation>Recusa um desenho do qual nenhuma regra pega alguma cadeia.</translation>
+        </message>
+        <message>
+            <source>Registration holes; 0: none.</source>
+            <translation>Furos de referência; 0: nenhum.</translation>
+        </message>
+        <message>
+            <source>Restart PROGRAM at a line, an operation, a contour or a point.</source>
+            <translation>Retoma PROGRAM em uma linha, uma operação, um contorno ou um ponto.</translation>
+        </message>
+        <message>
+            <source>Restart whenever its port is opened, as boards do whose reset is on DTR.</source>
+            <translation>Reinicia sempre que sua porta é aberta, como as placas cujo reset está em DTR.</translation>
+        </message>
+        <message>
+            <source>Resume a paused job: after a hold, a closed door, or a retract along its cut.</source>
+            <translation>Continua um trabalho em pausa: depois de uma pausa, de uma porta fechada ou de um recuo pelo percurso.</translation>
+        </message>
+        <message>
+            <source>Resume also at a pause of the program (M0), once its task is done.</source>
+            <translation>Continua também em uma pausa do programa (M0), quando a sua tarefa está feita.</translation>
+        </message>
+        <message>
+            <source>Resume at M0 without a person: for virtual machines and dry runs.</source>
+            <translation>Continua em M0 sem uma pessoa: para máquinas virtuais e ensaios a seco.</translation>
+        </message>
+        <message>
+            <source>Retract along the cut of a running job, move forward again, and resume.</source>
+            <translation>Recua ao longo do corte de um trabalho em execução, avança de novo, e continua.</translation>
+        </message>
+        <message>
+            <source>Rewrite runs of tiny straight moves in PROGRAM as arcs, helices and longer lines.</source>
+            <translation>Reescreve sequências de movimentos retos minúsculos em PROGRAM como arcos, hélices e linhas mais longas.</translation>
+        </message>
+        <message>
+            <source>Rewrite tiny moves of a program as arcs and longer lines.</source>
+            <translation>Reescreve movimentos minúsculos de um programa como arcos e linhas mais longas.</translation>
+        </message>
+        <message>
+            <source>Run a virtual USB board with four stepper motors: a byte sets the coils of one; Ctrl-C ends it.</source>
+            <translation>Executa uma placa USB virtual com quatro motores de passo: um byte define as bobinas de um; Ctrl-C a encerra.</translation>
+        </message>
+        <message>
+            <source>Run a virtual controller, which answers and moves as the real one does.</source>
+            <translation>Executa um controlador virtual, que responde e se move como o verdadeiro.</translation>
+        </message>
+        <message>
+            <source>Run a virtual grbl 1.1 (128 bytes, 15 blocks) on a pseudo-terminal or a TCP port; Ctrl-C ends it.</source>
+            <translation>Executa um grbl 1.1 virtual (128 bytes, 15 blocos) em um pseudoterminal ou uma porta TCP; Ctrl-C o encerra.</translation>
+        </message>
+        <message>
+            <source>Run a virtual mini-lathe at 9600 baud, 8E1 (here 8N1 with the timing of 8E1); Ctrl-C ends it.</source>
+            <translation>Executa um minitorno virtual a 9600 baud, 8E1 (aqui 8N1 com os tempos de 8E1); Ctrl-C o encerra.</translation>
+        </message>
+        <message>
+            <source>Run a virtual table at a parallel port: two bytes a write, data and control; Ctrl-C ends it.</source>
+            <translation>Executa uma mesa virtual em uma porta paralela: dois bytes por escrita, dados e controle; Ctrl-C a encerra.</translation>
+        </message>
+        <message>
+            <source>Run them in their order: the best one has the least dross and the squarest edge.</source>
+            <translation>Execute-os na sua ordem: o melhor tem menos rebarba e a borda mais reta.</translation>
+        </message>
+        <message>
+            <source>Save the bytes as they come.</source>
+            <translation>Salva os bytes como chegam.</translation>
+        </message>
+        <message>
+            <source>Save the path of the axes: t_s,x_mm,y_mm,z_mm.</source>
+            <translation>Salva o percurso dos eixos: t_s,x_mm,y_mm,z_mm.</translation>
+        </message>
+        <message>
+            <source>Save the path of the axes: t_s,x_mm,z_mm, X as a radius.</source>
+            <translation>Salva o percurso dos eixos: t_s,x_mm,z_mm, X como raio.</translation>
+        </message>
+        <message>
+            <source>Say how far a job came that was killed, and how to restart it safely.</source>
+            <translation>Diz até onde foi um trabalho interrompido à força, e como retomá-lo com segurança.</translation>
+        </message>
+        <message>
+            <source>Say how far the job of JOURNAL came, by default the latest that was not cut to its end.</source>
+            <translation>Diz até onde foi o trabalho de JOURNAL, se nada for dito o mais recente que não foi cortado até o fim.</translation>
+        </message>
+        <message>
+            <source>Say the turned part's diameter and bore at this Z.</source>
+            <translation>Diz o diâmetro e o furo da peça torneada neste Z.</translation>
+        </message>
+        <message>
+            <source>Search by our own layer alone.</source>
+            <translation>Busca só com a nossa própria camada.</translation>
+        </message>
+        <message>
+            <source>Searches for each nest.</source>
+            <translation>Buscas para cada aninhamento.</translation>
+        </message>
+        <message>
+            <source>Seconds to search.</source>
+            <translation>Segundos de busca.</translation>
+        </message>
+        <message>
+            <source>Send COUNT pulses to one axis, in one direction.</source>
+            <translation>Envia COUNT pulsos a um eixo, em um sentido.</translation>
+        </message>
+        <message>
+            <source>Send PROGRAM to the controller at --port and wait until the machine is idle.</source>
+            <translation>Envia PROGRAM ao controlador em --port e espera até que a máquina pare.</translation>
+        </message>
+        <message>
+            <source>Send a job and control it</source>
+            <translation>Enviar um trabalho e controlá-lo</translation>
+        </message>
+        <message>
+            <source>Send a program to a controller and wait until it is cut.</source>
+            <translation>Envia um programa a um controlador e espera até que esteja cortado.</translation>
+        </message>
+        <message>
+            <source>Send a restart that was not simulated on a stock: without --job, and without --stock and --tool.</source>
+            <translation>Envia uma retomada que não foi simulada em um bruto: sem --job, e sem --stock e --tool.</translation>
+        </message>
+        <message>
+            <source>Send even if the certificate does not match or holds errors.</source>
+            <translation>Envia mesmo que o certificado não corresponda ou contenha erros.</translation>
+        </message>
+        <message>
+            <source>Send even if the controller's settings or offsets differ from the proof.</source>
+            <translation>Envia mesmo que as configurações ou origens do controlador difiram da prova.</translation>
+        </message>
+        <message>
+            <source>Send it: a port or URL as of `cncstepper send`, a parallel port too.</source>
+            <translation>Envia-a: uma porta ou URL como de `cncstepper send`, também uma porta paralela.</translation>
+        </message>
+        <message>
+            <source>Send line by line: Enter sends the next line after the last is cut.</source>
+            <translation>Envia linha por linha: Enter envia a seguinte depois que a última foi cortada.</translation>
+        </message>
+        <message>
+            <source>Send without a certificate and without a check.</source>
+            <translation>Envia sem certificado e sem verificação.</translation>
+        </message>
+        <message>
+            <source>Set the dial so that it counts up in the axis' positive direction.</source>
+            <translation>Ajuste o relógio comparador para que conte para cima no sentido positivo do eixo.</translation>
+        </message>
+        <message>
+            <source>Set up a machine</source>
+            <translation>Preparar uma máquina</translation>
+        </message>
+        <message>
+            <source>Should the board restart when its port is opened, the tool must stand on the work zero, as it was set.</source>
+            <translation>Caso a placa reinicie quando sua porta é aberta, a ferramenta deve estar no zero da peça, como foi definido.</translation>
+        </message>
+        <message>
+            <source>Show all that changes. [default: where nothing is written]</source>
+            <translation>Mostra tudo o que muda. [padrão: onde nada é escrito]</translation>
+        </message>
+        <message>
+            <source>Show the part after that line of the program.</source>
+            <translation>Mostra a peça depois dessa linha do programa.</translation>
+        </message>
+        <message>
+            <source>Show the part after that many seconds.</source>
+            <translation>Mostra a peça depois desses segundos.</translation>
+        </message>
+        <message>
+            <source>Show the version and exit.</source>
+            <translation>Mostra a versão e sai.</translation>
+        </message>
+        <message>
+            <source>Show this message and exit.</source>
+            <translation>Mostra esta mensagem e sai.</translation>
+        </message>
+        <message>
+            <source>Show what is in a drawing and what is wrong with it; mend it.</source>
+            <translation>Mostra o que há em um desenho e o que está errado nele; corrige-o.</translation>
+        </message>
+        <message>
+            <source>Side along X, in mm.</source>
+            <translation>Lado em X, em mm.</translation>
+        </message>
+        <message>
+            <source>Side along Y, in mm.</source>
+            <translation>Lado em Y, em mm.</translation>
+        </message>
+        <message>
+            <source>Speed in mm/min.</source>
+            <translation>Velocidade em mm/min.</translation>
+        </message>
+        <message>
+            <source>Speed of its clock relative to real time.</source>
+            <translation>Velocidade do seu relógio em relação ao tempo real.</translation>
+        </message>
+        <message>
+            <source>Spindle speed, which is set by hand; 0: it does not turn.</source>
+            <translation>Rotação do fuso, que é ajustada à mão; 0: ele não gira.</translation>
+        </message>
+        <message>
+            <source>Start in alarm until homed, as with $22=1.</source>
+            <translation>Começa em alarme até o referenciamento, como com $22=1.</translation>
+        </message>
+        <message>
+            <source>Steps per mm, speeds, accelerations, travel, homing, spindle and planner are read; the rest comes from --from.</source>
+            <translation>São lidos passos por mm, velocidades, acelerações, curso, referenciamento, fuso e planejador; o resto vem de --from.</translation>
+        </message>
+        <message>
+            <source>Switch spindle or beam on again and cut from here to the end of the program.</source>
+            <translation>Liga de novo o fuso ou o feixe e corta daqui até o fim do programa.</translation>
+        </message>
+        <message>
+            <source>Switch the relays of the profile on and off again, one by one; only those that are named where some are.</source>
+            <translation>Liga e desliga os relés do perfil, um por um; só os nomeados, se houver algum.</translation>
+        </message>
+        <message>
+            <source>Take all N words out instead.</source>
+            <translation>Em vez disso retira todas as palavras N.</translation>
+        </message>
+        <message>
+            <source>Take stock, tools, clamps and the shapes wanted from this job file.</source>
+            <translation>Toma bruto, ferramentas, grampos e as formas desejadas deste arquivo de trabalho.</translation>
+        </message>
+        <message>
+            <source>Take the feed of a program without F from the cut chart of this one.</source>
+            <translation>Toma o avanço de um programa sem F da tabela de corte deste.</translation>
+        </message>
+        <message>
+            <source>Take this axis' drive of --machine's profile.</source>
+            <translation>Toma o acionamento deste eixo do perfil de --machine.</translation>
+        </message>
+        <message>
+            <source>Takes {nargs} values but 1 was given.</source>
+            <translation>Recebe {nargs} valores, mas foi dado 1.</translation>
+        </message>
+        <message>
+            <source>Takes {nargs} values but {len} were given.</source>
+            <translation>Recebe {nargs} valores, mas foram dados {len}.</translation>
+        </message>
+        <message>
+            <source>Teeth of the belt's pulley.</source>
+            <translation>Dentes da polia da correia.</translation>
+        </message>
+        <message>
+            <source>That is commanded, in mm.</source>
+            <translation>O comandado, em mm.</translation>
+        </message>
+        <message>
+            <source>The axes move to their switches: make sure that the path is free. Ctrl-C stops them; the position is unknown then. Many boards restart when their port is opened anew and forget what they have found: the connection stays open for the verbs that follow, --keep-open minutes long or until `cncstepper disconnect`.</source>
+            <translation>Os eixos vão aos seus fins de curso: certifique-se de que o caminho está livre. Ctrl-C os para; então a posição é desconhecida. Muitas placas reiniciam quando sua porta é aberta de novo e esquecem o que acharam: a conexão fica aberta para os verbos seguintes, por --keep-open minutos ou até `cncstepper disconnect`.</translation>
+        </message>
+        <message>
+            <source>The axis is one of a screw or a belt, and of a stepper motor (open loop) or a drive with an encoder (closed loop):</source>
+            <translation>O eixo é de fuso ou de correia, e de um motor de passo (malha aberta) ou de um acionamento com encoder (malha fechada):</translation>
+        </message>
+        <message>
+            <source>The certificate that `check` or `run` wrote for this program.</source>
+            <translation>O certificado que `check` ou `run` escreveu para este programa.</translation>
+        </message>
+        <message>
+            <source>The chart's consumable. [default: the first that cuts the thickness]</source>
+            <translation>O consumível da tabela. [padrão: o primeiro que corta a espessura]</translation>
+        </message>
+        <message>
+            <source>The coordinate that changes its sign.</source>
+            <translation>A coordenada que muda de sinal.</translation>
+        </message>
+        <message>
+            <source>The cut nearest to this point; without Z the first.</source>
+            <translation>O corte mais próximo deste ponto; sem Z o primeiro.</translation>
+        </message>
+        <message>
+            <source>The cutter, for example flat:6 or ball:2.</source>
+            <translation>A fresa, por exemplo flat:6 ou ball:2.</translation>
+        </message>
+        <message>
+            <source>The cutter, for example flat:6 or drill:3.</source>
+            <translation>A fresa, por exemplo flat:6 ou drill:3.</translation>
+        </message>
+        <message>
+            <source>The dialect that is written.</source>
+            <translation>O dialeto que é escrito.</translation>
+        </message>
+        <message>
+            <source>The difference is shown, and nothing is written until --out FILE or --in-place says where. Comments, order and form stay; only the words that must change do. Every new program is read again and compared with what it must be, and with --machine (and --stock, --tool) checked as `cncstepper check` does: one with errors that the old one had not is refused.</source>
+            <translation>A diferença é mostrada, e nada é escrito até que --out FILE ou --in-place diga onde. Comentários, ordem e forma ficam; só mudam as palavras que precisam mudar. Cada novo programa é lido de novo e comparado com o que deve ser, e com --machine (e --stock, --tool) verificado como por `cncstepper check`: um com erros que o antigo não tinha é recusado.</translation>
+        </message>
+        <message>
+            <source>The file that is written.</source>
+            <translation>O arquivo que é escrito.</translation>
+        </message>
+        <message>
+            <source>The firmware whose greeting, answers, refusals, buffer and line length it has.</source>
+            <translation>O firmware cuja saudação, respostas, recusas, buffer e comprimento de linha ele tem.</translation>
+        </message>
+        <message>
+            <source>The first line that is not certainly done.</source>
+            <translation>A primeira linha que não está certamente feita.</translation>
+        </message>
+        <message>
+            <source>The first number.</source>
+            <translation>O primeiro número.</translation>
+        </message>
+        <message>
+            <source>The job file that is written.</source>
+            <translation>O arquivo de trabalho que é escrito.</translation>
+        </message>
+        <message>
+            <source>The job is one that `cncstepper send` runs in another terminal, or that FreeCAD's window sent.</source>
+            <translation>O trabalho é um que `cncstepper send` executa em outro terminal, ou que a janela do FreeCAD enviou.</translation>
+        </message>
+        <message>
+            <source>The job is one that `cncstepper send` sent from any terminal, also one that is closed by now, or that was sent from FreeCAD's window. `cncstepper go` lets it go on, `cncstepper back` leads it back along its cut, `cncstepper stop` ends it. This is not an emergency stop. The mini-lathe cannot be held over its link.</source>
+            <translation>O trabalho é um que `cncstepper send` enviou de qualquer terminal, mesmo já fechado, ou que foi enviado da janela do FreeCAD. `cncstepper go` o deixa continuar, `cncstepper back` o leva de volta ao longo do corte, `cncstepper stop` o encerra. Isto não é uma parada de emergência. O minitorno não pode ser pausado pela sua ligação.</translation>
+        </message>
+        <message>
+            <source>The job names the drawing and follows it when it changes. Chains that no rule takes are printed with their number; with --strict they are refused. A CadQuery or build123d script (.py) is run once, here: its outline is written beside the job as DXF, which the job names, for a job runs no script.</source>
+            <translation>O trabalho cita o desenho e o acompanha quando muda. Cadeias que nenhuma regra pega são impressas com sua quantidade; com --strict são recusadas. Um script do CadQuery ou build123d (.py) é executado uma vez, aqui: seu contorno é escrito ao lado do trabalho como DXF, que o trabalho cita, pois um trabalho não executa scripts.</translation>
+        </message>
+        <message>
+            <source>The job uses the connection that is open at --port. It leaves a connection open for --keep-open minutes, so that the next verb does not restart the board.</source>
+            <translation>O trabalho usa a conexão aberta em --port. Deixa uma conexão aberta por --keep-open minutos, para que o próximo verbo não reinicie a placa.</translation>
+        </message>
+        <message>
+            <source>The length of the drawing's unit, where it is wrong.</source>
+            <translation>O comprimento da unidade do desenho, quando está errada.</translation>
+        </message>
+        <message>
+            <source>The length of the file's unit, where it is wrong.</source>
+            <translation>O comprimento da unidade do arquivo, quando está errada.</translation>
+        </message>
+        <message>
+            <source>The lengths of a tool.tbl, read or written, are inches.</source>
+            <translation>Os comprimentos de um tool.tbl, lido ou escrito, são polegadas.</translation>
+        </message>
+        <message>
+            <source>The machine's profile, by name or TOML file; needed where this computer itself is the controller.</source>
+            <translation>O perfil da máquina, pelo nome ou arquivo TOML; necessário onde este computador é o próprio controlador.</translation>
+        </message>
+        <message>
+            <source>The mini-lathe cannot be stopped over its link while it runs what it was sent: nothing more is sent to it, and the outcome says how long it still works. A parallel port or USB board brakes and stops.</source>
+            <translation>O minitorno não pode ser parado pela sua ligação enquanto executa o que recebeu: nada mais lhe é enviado, e o resultado diz quanto tempo ele ainda trabalha. Uma porta paralela ou placa USB freia e para.</translation>
+        </message>
+        <message>
+            <source>The mini-lathe takes none of them. On a parallel port or USB board the spindle is a relay, whose speed no share changes, and a feed above 100 % counts from behind the pulses that are queued (0.3 s).</source>
+            <translation>O minitorno não aceita nenhum deles. Em uma porta paralela ou placa USB o fuso é um relé, cuja rotação nenhuma porcentagem muda, e um avanço acima de 100 % vale depois dos pulsos que estão na fila (0.3 s).</translation>
+        </message>
+        <message>
+            <source>The new path is never farther than --tolerance from the old one, nor the old one from the new. Feeds, stops, outputs, comments and corners stay; rapids, arcs and all other lines are not touched.</source>
+            <translation>O novo percurso nunca se afasta mais que --tolerance do antigo, nem o antigo do novo. Avanços, paradas, saídas, comentários e cantos ficam; rápidos, arcos e todas as outras linhas não são tocados.</translation>
+        </message>
+        <message>
+            <source>The picture, PNG or SVG; with --view also an animation: GIF, APNG, WebP, or MP4 where ffmpeg is.</source>
+            <translation>A imagem, PNG ou SVG; com --view também uma animação: GIF, APNG, WebP, ou MP4 onde há ffmpeg.</translation>
+        </message>
+        <message>
+            <source>The point that stays.</source>
+            <translation>O ponto que fica.</translation>
+        </message>
+        <message>
+            <source>The profile that has all other values.</source>
+            <translation>O perfil que tem todos os outros valores.</translation>
+        </message>
+        <message>
+            <source>The report goes to standard error, the program to standard output or --out.</source>
+            <translation>O relatório vai para a saída de erro, o programa para a saída padrão ou --out.</translation>
+        </message>
+        <message>
+            <source>The rest of the job is not cut. The job is one that `cncstepper send` sent from any terminal, also one that is closed by now, or that was sent from FreeCAD's window. `cncstepper hold` only holds it. This is not an emergency stop: that one is on the machine.</source>
+            <translation>O resto do trabalho não é cortado. O trabalho é um que `cncstepper send` enviou de qualquer terminal, mesmo já fechado, ou que foi enviado da janela do FreeCAD. `cncstepper hold` apenas o pausa. Isto não é uma parada de emergência: essa fica na máquina.</translation>
+        </message>
+        <message>
+            <source>The same from this second of the program on.</source>
+            <translation>O mesmo a partir deste segundo do programa.</translation>
+        </message>
+        <message>
+            <source>The sheet: .pdf or .html.</source>
+            <translation>A folha: .pdf ou .html.</translation>
+        </message>
+        <message>
+            <source>The shop's own chart: .toml, or QtPlasmaC's .cfg.</source>
+            <translation>A tabela própria da oficina: .toml, ou .cfg do QtPlasmaC.</translation>
+        </message>
+        <message>
+            <source>The stock's size in mm.</source>
+            <translation>O tamanho do bruto em mm.</translation>
+        </message>
+        <message>
+            <source>The units to write.</source>
+            <translation>As unidades a escrever.</translation>
+        </message>
+        <message>
+            <source>The way back: every pulse again, from the last one to the first.</source>
+            <translation>O caminho de volta: cada pulso de novo, do último ao primeiro.</translation>
+        </message>
+        <message>
+            <source>The work zero is set on the stock, the tool is in the spindle, and it has stayed at that zero if the board restarts now. Without this option you are asked.</source>
+            <translation>O zero da peça está definido no bruto, a ferramenta está no fuso, e ela ficou nesse zero se a placa reiniciar agora. Sem esta opção você é perguntado.</translation>
+        </message>
+        <message>
+            <source>Those of a parallel port are printed by what they do and their pin.</source>
+            <translation>As de uma porta paralela são impressas pelo que fazem e pelo pino.</translation>
+        </message>
+        <message>
+            <source>To nest.</source>
+            <translation>Para aninhar.</translation>
+        </message>
+        <message>
+            <source>To the rim, mm.</source>
+            <translation>Até a borda, mm.</translation>
+        </message>
+        <message>
+            <source>Travel of the screw a turn (pitch, or lead), mm.</source>
+            <translation>Avanço do fuso por volta (passo), mm.</translation>
+        </message>
+        <message>
+            <source>Try '{command} {option}' for help.</source>
+            <translation>Experimente '{command} {option}' para obter ajuda.</translation>
+        </message>
+        <message>
+            <source>Try a machine out and measure it: pulses, relays, inputs, a square, a circle, travel, backlash, squareness.</source>
+            <translation>Experimenta e mede uma máquina: pulsos, relés, entradas, um quadrado, um círculo, curso, folga, esquadro.</translation>
+        </message>
+        <message>
+            <source>Try a machine out and measure it: pulses, relays, inputs, travel.</source>
+            <translation>Experimenta e mede uma máquina: pulsos, relés, entradas, curso.</translation>
+        </message>
+        <message>
+            <source>Turn the path about Z: --angle 90 --about 50,35.</source>
+            <translation>Gira o percurso em torno de Z: --angle 90 --about 50,35.</translation>
+        </message>
+        <message>
+            <source>Turns of the motor for one of screw or pulley. [default: 1]</source>
+            <translation>Voltas do motor para uma do fuso ou da polia. [padrão: 1]</translation>
+        </message>
+        <message>
+            <source>Type lines to a controller, with history.</source>
+            <translation>Digita linhas a um controlador, com histórico.</translation>
+        </message>
+        <message>
+            <source>Type lines to the controller at --port; the next is asked for when the last is done and the machine is at rest.</source>
+            <translation>Digita linhas ao controlador em --port; a seguinte é pedida quando a última está feita e a máquina parada.</translation>
+        </message>
+        <message>
+            <source>Unless told, the machine stands at its zero when the program begins; its planner times the steps, which take up the backlash of the axes. With interpolation = "dda" in the profile they are those of the published interpolators, each move from rest to rest; "published" has the printed registers of arcs too. The profile's [signals] say how long pulses are, which motors an axis has, and on which pins of a parallel port they are. Letters and board bytes have no time; digital outputs have no letter, and no device has a board byte or coils.</source>
+            <translation>Se nada for dito, a máquina está no seu zero quando o programa começa; seu planejador dá os tempos dos passos, que compensam a folga dos eixos. Com interpolation = "dda" no perfil são os dos interpoladores publicados, cada movimento de parada a parada; "published" tem também os registradores impressos dos arcos. [signals] do perfil diz quanto duram os pulsos, que motores um eixo tem, e em que pinos de uma porta paralela estão. Letras e bytes da placa não têm tempo; saídas digitais não têm letra, e nenhum dispositivo tem byte da placa ou bobinas.</translation>
+        </message>
+        <message>
+            <source>Unless told, the machine stands at the work zero when the program begins, as in `check` and in the report of `run`. Pauses (M0) count as no time. Of a lathe program it says whether X is a diameter or a radius.</source>
+            <translation>Se nada for dito, a máquina está no zero da peça quando o programa começa, como em `check` e no relatório de `run`. Pausas (M0) não contam tempo. De um programa de torno diz se X é diâmetro ou raio.</translation>
+        </message>
+        <message>
+            <source>Usage:</source>
+            <translation>Uso:</translation>
+        </message>
+        <message>
+            <source>What G20 means: radius in the published table, diameter in the listing.</source>
+            <translation>O que G20 significa: raio na tabela publicada, diâmetro na listagem.</translation>
+        </message>
+        <message>
+            <source>What G70 means: mm in the published table, inch in the listing.</source>
+            <translation>O que G70 significa: mm na tabela publicada, polegada na listagem.</translation>
+        </message>
+        <message>
+            <source>What a profile leaves out has a value too: KEYS print it. `.` is all of them.</source>
+            <translation>O que um perfil deixa de fora também tem um valor: KEYS o imprime. `.` são todos.</translation>
+        </message>
+        <message>
+            <source>What is cut.</source>
+            <translation>O que é cortado.</translation>
+        </message>
+        <message>
+            <source>What is done, in your words: milling, plasma, engraving.</source>
+            <translation>O que é feito, em suas palavras: fresamento, plasma, gravação.</translation>
+        </message>
+        <message>
+            <source>What it is made of, in your words. [default: as the job says]</source>
+            <translation>De que é feito, em suas palavras. [padrão: como diz o trabalho]</translation>
+        </message>
+        <message>
+            <source>Where on that axis the mirror stands, mm.</source>
+            <translation>Onde nesse eixo fica o espelho, mm.</translation>
+        </message>
+        <message>
+            <source>Where on the stock the work zero lies.</source>
+            <translation>Onde no bruto fica o zero da peça.</translation>
+        </message>
+        <message>
+            <source>Where the machine stands at first, in machine coordinates; without a work zero, as seen from that.</source>
+            <translation>Onde a máquina está no início, em coordenadas da máquina; sem zero da peça, visto dali.</translation>
+        </message>
+        <message>
+            <source>Where the machine wants a file a tool (tool_change = "split"), there is one of each for each tool: program-1-T1.nc, report-1-T1.json and so on; run them in their order. Each program is read back, timed, simulated and checked, the later ones against the stock that the earlier ones have cut; exit 1 when a check refuses one. The job of a lathe (process = "turning") gives the part's profile in report.json and its half section as the picture.</source>
+            <translation>Onde a máquina quer um arquivo por ferramenta (tool_change = "split"), há um de cada para cada ferramenta: program-1-T1.nc, report-1-T1.json e assim por diante; execute-os na sua ordem. Cada programa é lido de volta, cronometrado, simulado e verificado, os posteriores com o bruto que os anteriores cortaram; sai com 1 quando uma verificação recusa um. O trabalho de um torno (process = "turning") dá o perfil da peça em report.json e a meia seção como imagem.</translation>
+        </message>
+        <message>
+            <source>Where the work zero lies, in machine coordinates.</source>
+            <translation>Onde fica o zero da peça, em coordenadas da máquina.</translation>
+        </message>
+        <message>
+            <source>Which job, by its session's name or file, where several run.</source>
+            <translation>Que trabalho, pelo nome ou arquivo da sua sessão, quando há vários em execução.</translation>
+        </message>
+        <message>
+            <source>Which of its runs, for a line that is run often.</source>
+            <translation>Qual das suas execuções, para uma linha executada várias vezes.</translation>
+        </message>
+        <message>
+            <source>Which program of a job that is split, one a tool.</source>
+            <translation>Que programa de um trabalho dividido, um por ferramenta.</translation>
+        </message>
+        <message>
+            <source>Which program of the job it is, where the machine wants one a tool.</source>
+            <translation>Que programa do trabalho é, onde a máquina quer um por ferramenta.</translation>
+        </message>
+        <message>
+            <source>Whose connection; without it every connection of yours.</source>
+            <translation>De quem é a conexão; sem ela todas as suas conexões.</translation>
+        </message>
+        <message>
+            <source>With --as coils: full steps with one phase or two (two_phases_a: other wiring), half steps, or the signs on the wires of bipolar motors. [default: two_phases]</source>
+            <translation>Com --as coils: passos inteiros com uma ou duas fases (two_phases_a: outra fiação), meios passos, ou os sinais nos fios de motores bipolares. [padrão: two_phases]</translation>
+        </message>
+        <message>
+            <source>With --certificate only the proven program is sent. Machine, start state, tools, stock and clamps must be those of the proof, as far as you give them. Without a certificate the program is checked first, with --machine or --job (whose machine counts where --machine is absent); --unchecked skips the check. The controller's settings are compared, and the work zero where the proof knows it.</source>
+            <translation>Com --certificate só o programa provado é enviado. Máquina, estado inicial, ferramentas, bruto e grampos devem ser os da prova, na medida em que você os dá. Sem certificado o programa é verificado antes, com --machine ou --job (cuja máquina vale quando falta --machine); --unchecked pula a verificação. As configurações do controlador são comparadas, e o zero da peça quando a prova o conhece.</translation>
+        </message>
+        <message>
+            <source>With --machine the sheet tells the time too; with --work-zero the picture shows the machine's travel.</source>
+            <translation>Com --machine a folha diz também o tempo; com --work-zero a imagem mostra o curso da máquina.</translation>
+        </message>
+        <message>
+            <source>With --machine they are bounded by its spindle and the rates of its axes. Values to begin with: the cutter's own data sheet and the first chips know better.</source>
+            <translation>Com --machine são limitados pelo fuso e pelas velocidades dos eixos. Valores para começar: a folha de dados da fresa e os primeiros cavacos sabem mais.</translation>
+        </message>
+        <message>
+            <source>With --machine, a controller of ours runs machines whose pulses this computer makes, and the mini-lathe. Programs in the machine's own language are sent to it as grbl lines, which are proven by reading them back. The fastest pulse rate of the program is tried before the first line. PROGRAM may be a file of pulse letters, NAME.letters. What a machine cannot do (hold, stop, override) is printed before the first line.</source>
+            <translation>Com --machine, um controlador nosso comanda máquinas cujos pulsos este computador gera, e o minitorno. Programas na própria linguagem da máquina lhe são enviados como linhas do grbl, que são provadas lendo-as de volta. A maior taxa de pulsos do programa é experimentada antes da primeira linha. PROGRAM pode ser um arquivo de letras de pulso, NAME.letters. O que uma máquina não consegue fazer (pausa, parada, ajuste) é impresso antes da primeira linha.</translation>
+        </message>
+        <message>
+            <source>With --mend, ends that are moved together, mm.</source>
+            <translation>Com --mend, pontas que são aproximadas, mm.</translation>
+        </message>
+        <message>
+            <source>With --mend, polylines become arcs and fewer lines, mm.</source>
+            <translation>Com --mend, polilinhas viram arcos e menos linhas, mm.</translation>
+        </message>
+        <message>
+            <source>With --motors real: the limits of its motors, as a multiple of the profile's acceleration and rate.</source>
+            <translation>Com --motors real: os limites dos seus motores, como múltiplo da aceleração e da velocidade do perfil.</translation>
+        </message>
+        <message>
+            <source>With --motors real: the start-stop rate of its motors, pulses/s.</source>
+            <translation>Com --motors real: a taxa de partida e parada dos seus motores, pulsos/s.</translation>
+        </message>
+        <message>
+            <source>With --sheet, also by 90, 180 and 270 degrees.</source>
+            <translation>Com --sheet, também por 90, 180 e 270 graus.</translation>
+        </message>
+        <message>
+            <source>Without --port nothing is sent: the restart is described, and -o writes its program. Without a place the contours are listed. Give --machine, or --job with its machine. With --job, or --stock and --tool, the restart is simulated on the stock that the earlier moves have left, and refused where a rapid meets material. Without a stock it is sent only with --without-stock. A program in a language that the controller does not read is restarted in grbl's, as it is sent. `cncstepper resume` prints the whole command for a job that did not end.</source>
+            <translation>Sem --port nada é enviado: a retomada é descrita, e -o escreve seu programa. Sem um ponto os contornos são listados. Dê --machine, ou --job com a sua máquina. Com --job, ou --stock e --tool, a retomada é simulada no bruto que os movimentos anteriores deixaram, e recusada onde um rápido encontra material. Sem bruto só é enviada com --without-stock. Um programa em uma linguagem que o controlador não lê é retomado na do grbl, como é enviado. `cncstepper resume` imprime o comando inteiro para um trabalho que não terminou.</translation>
+        </message>
+        <message>
+            <source>Without one of these options it asks what to do, until the job resumes or you leave.</source>
+            <translation>Sem uma destas opções pergunta o que fazer, até que o trabalho continue ou você saia.</translation>
+        </message>
+        <message>
+            <source>Write PROGRAM in another dialect: the same moves, what the target lacks expanded or refused.</source>
+            <translation>Escreve PROGRAM em outro dialeto: os mesmos movimentos, o que falta ao destino expandido ou recusado.</translation>
+        </message>
+        <message>
+            <source>Write a chart as TOML or as QtPlasmaC's material file; what such a file cannot hold is told.</source>
+            <translation>Escreve uma tabela como TOML ou como arquivo de materiais do QtPlasmaC; o que tal arquivo não comporta é dito.</translation>
+        </message>
+        <message>
+            <source>Write a job that cuts a square with a square hole, both of known size.</source>
+            <translation>Escreve um trabalho que corta um quadrado com um furo quadrado, ambos de tamanho conhecido.</translation>
+        </message>
+        <message>
+            <source>Write a list of its chains as JSON.</source>
+            <translation>Escreve uma lista das suas cadeias como JSON.</translation>
+        </message>
+        <message>
+            <source>Write a profile to the file --out, a machine file for FreeCAD (.fcm).</source>
+            <translation>Escreve um perfil no arquivo --out, um arquivo de máquina para o FreeCAD (.fcm).</translation>
+        </message>
+        <message>
+            <source>Write a program in another dialect.</source>
+            <translation>Escreve um programa em outro dialeto.</translation>
+        </message>
+        <message>
+            <source>Write every step of PROGRAM as the machine's motors and drives receive it.</source>
+            <translation>Escreve cada passo de PROGRAM como os motores e drivers da máquina o recebem.</translation>
+        </message>
+        <message>
+            <source>Write every step of a program: letters, bytes, port writes, edges.</source>
+            <translation>Escreve cada passo de um programa: letras, bytes, escritas na porta, bordas.</translation>
+        </message>
+        <message>
+            <source>Write it there: .toml, or .cfg for QtPlasmaC.</source>
+            <translation>Escreve-a ali: .toml, ou .cfg para QtPlasmaC.</translation>
+        </message>
+        <message>
+            <source>Write its certificate there.</source>
+            <translation>Escreve ali o seu certificado.</translation>
+        </message>
+        <message>
+            <source>Write jobs that cut a small square each, from 70 to 130 % of the chart's feed, side by side on one sheet.</source>
+            <translation>Escreve trabalhos que cortam cada um um quadrado pequeno, de 70 a 130 % do avanço da tabela, lado a lado em uma chapa.</translation>
+        </message>
+        <message>
+            <source>Write the corrected value without asking.</source>
+            <translation>Escreve o valor corrigido sem perguntar.</translation>
+        </message>
+        <message>
+            <source>Write the drawing, mended or not: .dxf or .svg.</source>
+            <translation>Escreve o desenho, corrigido ou não: .dxf ou .svg.</translation>
+        </message>
+        <message>
+            <source>Write the job there.</source>
+            <translation>Escreve ali o trabalho.</translation>
+        </message>
+        <message>
+            <source>Write the new program over the old one.</source>
+            <translation>Escreve o novo programa por cima do antigo.</translation>
+        </message>
+        <message>
+            <source>Write the new program there.</source>
+            <translation>Escreve ali o novo programa.</translation>
+        </message>
+        <message>
+            <source>Write the program there instead of printing it.</source>
+            <translation>Escreve ali o programa em vez de imprimi-lo.</translation>
+        </message>
+        <message>
+            <source>Write the restart program there.</source>
+            <translation>Escreve ali o programa da retomada.</translation>
+        </message>
+        <message>
+            <source>Write the same path in mm (G21) or inches (G20).</source>
+            <translation>Escreve o mesmo percurso em mm (G21) ou polegadas (G20).</translation>
+        </message>
+        <message>
+            <source>Write the settings of the controller at --port to the file --out.</source>
+            <translation>Escreve as configurações do controlador em --port no arquivo --out.</translation>
+        </message>
+        <message>
+            <source>Write the whole program there.</source>
+            <translation>Escreve ali o programa inteiro.</translation>
+        </message>
+        <message>
+            <source>Write them there: .fctb, .fctl or .tbl.</source>
+            <translation>Escreve-as ali: .fctb, .fctl ou .tbl.</translation>
+        </message>
+        <message>
+            <source>Write there instead of printing.</source>
+            <translation>Escreve ali em vez de imprimir.</translation>
+        </message>
+        <message>
+            <source>Write without asking.</source>
+            <translation>Escreve sem perguntar.</translation>
+        </message>
+        <message>
+            <source>X times this.</source>
+            <translation>X vezes isto.</translation>
+        </message>
+        <message>
+            <source>Y times this.</source>
+            <translation>Y vezes isto.</translation>
+        </message>
+        <message>
+            <source>Your own chart, instead of the one that ships.</source>
+            <translation>A sua própria tabela, em vez da fornecida.</translation>
+        </message>
+        <message>
+            <source>Your own lie in your configuration folder and are named like the shipped ones wherever a command takes --machine.</source>
+            <translation>Os seus ficam na sua pasta de configuração e são nomeados como os fornecidos onde um comando recebe --machine.</translation>
+        </message>
+        <message>
+            <source>Z times this.</source>
+            <translation>Z vezes isto.</translation>
+        </message>
+        <message>
+            <source>Z{z_mm:g}: diameter {outer_mm:.4f} mm, bore {bore_mm:.4f} mm</source>
+            <translation>Z{z_mm:g}: diâmetro {outer_mm:.4f} mm, furo {bore_mm:.4f} mm</translation>
+        </message>
+        <message>
+            <source>[default: the first with a chart that the machine has]</source>
+            <translation>[padrão: o primeiro com tabela que a máquina tem]</translation>
+        </message>
+        <message>
+            <source>a file</source>
+            <translation>um arquivo</translation>
+        </message>
+        <message>
+            <source>a turned part is drawn as its half section, at one moment: leave --view out</source>
+            <translation>uma peça torneada é desenhada como meia seção, em um momento: não dê --view</translation>
+        </message>
+        <message>
+            <source>an animation needs --view</source>
+            <translation>uma animação precisa de --view</translation>
+        </message>
+        <message>
+            <source>at most {notes} parts</source>
+            <translation>no máximo {notes} peças</translation>
+        </message>
+        <message>
+            <source>circle of {diameter:g} mm at {feed:g} mm/min: done</source>
+            <translation>círculo de {diameter:g} mm a {feed:g} mm/min: feito</translation>
+        </message>
+        <message>
+            <source>clean</source>
+            <translation>sem erros</translation>
+        </message>
+        <message>
+            <source>cncstepper back --distance 5     hold, and 5 mm back
+cncstepper back --forward        forward again to where it was held
+cncstepper back --resume         go on with the job from where the tool stands now</source>
+            <translation>cncstepper back --distance 5     pausa, e 5 mm de volta
+cncstepper back --forward        avança de novo até onde foi pausado
+cncstepper back --resume         continua o trabalho de onde a ferramenta está agora</translation>
+        </message>
+        <message>
+            <source>cncstepper override feed +10       10 % of the programmed feed more; also -10 +1 -1
+cncstepper override feed 100       the programmed feed again
+cncstepper override rapid 50       rapid moves at half their speed; also 25 and 100
+cncstepper override spindle -10    as with the feed
+cncstepper override spindle stop   stop the spindle of a held machine, and start it again
+cncstepper override flood          switch flood coolant on, or off; also mist</source>
+            <translation>cncstepper override feed +10       10 % do avanço programado a mais; também -10 +1 -1
+cncstepper override feed 100       de novo o avanço programado
+cncstepper override rapid 50       rápidos à metade da velocidade; também 25 e 100
+cncstepper override spindle -10    como no avanço
+cncstepper override spindle stop   para o fuso de uma máquina em pausa, e o parte de novo
+cncstepper override flood          liga o jato de refrigeração, ou o desliga; também mist</translation>
+        </message>
+        <message>
+            <source>cncstepper: stopped by Ctrl+C before it was done</source>
+            <translation>cncstepper: parado por Ctrl+C antes de terminar</translation>
+        </message>
+        <message>
+            <source>cncstepper: {sentence}; Ctrl+C ends it</source>
+            <translation>cncstepper: {sentence}; Ctrl+C o encerra</translation>
+        </message>
+        <message>
+            <source>contour   line   operation             begins at                        length</source>
+            <translation>contorno  linha  operação              começa em                        comprimento</translation>
+        </message>
+        <message>
+            <source>cut {cut:.1f} mm, in air {air:.1f} mm, rapid {rapid:.1f} mm, pierces {pierces}{removed}</source>
+            <translation>corte {cut:.1f} mm, no ar {air:.1f} mm, rápido {rapid:.1f} mm, perfurações {pierces}{removed}</translation>
+        </message>
+        <message>
+            <source>default: {default}</source>
+            <translation>padrão: {default}</translation>
+        </message>
+        <message>
+            <source>directory</source>
+            <translation>diretório</translation>
+        </message>
+        <message>
+            <source>f800 and F800 are the same.</source>
+            <translation>f800 e F800 são o mesmo.</translation>
+        </message>
+        <message>
+            <source>file</source>
+            <translation>arquivo</translation>
+        </message>
+        <message>
+            <source>give --certificate, or --machine or --job to have it checked, or --unchecked</source>
+            <translation>dê --certificate, ou --machine ou --job para que seja verificado, ou --unchecked</translation>
+        </message>
+        <message>
+            <source>give --count once, or once for each program</source>
+            <translation>dê --count uma vez, ou uma vez para cada programa</translation>
+        </message>
+        <message>
+            <source>give --factor, or some of --x, --y, --z</source>
+            <translation>dê --factor, ou alguns de --x, --y, --z</translation>
+        </message>
+        <message>
+            <source>give --job, or --stock and --tool, to have it cut on what is left of the stock; or --without-stock</source>
+            <translation>dê --job, ou --stock e --tool, para cortá-la no que resta do bruto; ou --without-stock</translation>
+        </message>
+        <message>
+            <source>give --machine, or --job whose machine counts</source>
+            <translation>dê --machine, ou --job cuja máquina vale</translation>
+        </message>
+        <message>
+            <source>give --stock and --tool, or --job</source>
+            <translation>dê --stock e --tool, ou --job</translation>
+        </message>
+        <message>
+            <source>give --tool for a mill, or --turn for a lathe</source>
+            <translation>dê --tool para uma fresadora, ou --turn para um torno</translation>
+        </message>
+        <message>
+            <source>give either --at or --line</source>
+            <translation>dê --at ou --line</translation>
+        </message>
+        <message>
+            <source>give either --out or --in-place</source>
+            <translation>dê --out ou --in-place</translation>
+        </message>
+        <message>
+            <source>give either --pty PATH or --tcp HOST:PORT</source>
+            <translation>dê --pty PATH ou --tcp HOST:PORT</translation>
+        </message>
+        <message>
+            <source>give one of --at, --grid and --sheet</source>
+            <translation>dê só uma de --at, --grid e --sheet</translation>
+        </message>
+        <message>
+            <source>give one of --distance, --line, --entry, --forward and --resume</source>
+            <translation>dê só uma de --distance, --line, --entry, --forward e --resume</translation>
+        </message>
+        <message>
+            <source>hint: {text}</source>
+            <translation>dica: {text}</translation>
+        </message>
+        <message>
+            <source>ideal motors follow every pulse; real ones lose steps where pulses come too fast.</source>
+            <translation>motores ideal seguem cada pulso; os real perdem passos onde os pulsos vêm depressa demais.</translation>
+        </message>
+        <message>
+            <source>inputs that are on: {none}</source>
+            <translation>entradas ligadas: {none}</translation>
+        </message>
+        <message>
+            <source>is no point: two or three numbers in mm, such as 12.5,40 or 12.5,40,-2</source>
+            <translation>não é um ponto: dois ou três números em mm, como 12.5,40 ou 12.5,40,-2</translation>
+        </message>
+        <message>
+            <source>is not three lengths above 0 in mm with decimal points, such as 100,70,20</source>
+            <translation>não são três comprimentos acima de 0 em mm com ponto decimal, como 100,70,20</translation>
+        </message>
+        <message>
+            <source>is not three numbers in mm with decimal points, such as 100,70,20</source>
+            <translation>não são três números em mm com ponto decimal, como 100,70,20</translation>
+        </message>
+        <message>
+            <source>letters: one a pulse. board: a byte a pulse, four motors. coils: time and wires of each motor. parport: time, data and control register. csv: time and positions. vcd: every edge, for GTKWave or PulseView.</source>
+            <translation>letters: uma por pulso. board: um byte por pulso, quatro motores. coils: tempo e fios de cada motor. parport: tempo, registradores de dados e de controle. csv: tempo e posições. vcd: cada borda, para GTKWave ou PulseView.</translation>
+        </message>
+        <message>
+            <source>mm of an STL's unit.</source>
+            <translation>mm da unidade de um STL.</translation>
+        </message>
+        <message>
+            <source>name one with --contour, or give --line, --operation or --at</source>
+            <translation>escolha um com --contour, ou dê --line, --operation ou --at</translation>
+        </message>
+        <message>
+            <source>nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far</source>
+            <translation>aninhando {parts} peças por {time_s:g} s; Ctrl+C o encerra com o melhor até então</translation>
+        </message>
+        <message>
+            <source>no conversion makes it a program for {target}: {reason}</source>
+            <translation>nenhuma conversão faz dele um programa para {target}: {reason}</translation>
+        </message>
+        <message>
+            <source>no job is unfinished: every one whose journal is kept was cut to its end</source>
+            <translation>nenhum trabalho está inacabado: todos cujo diário está guardado foram cortados até o fim</translation>
+        </message>
+        <message>
+            <source>no serial port is there: plug the controller in, or give its URL (socket://HOST:PORT)</source>
+            <translation>não há porta serial: ligue o controlador, ou dê sua URL (socket://HOST:PORT)</translation>
+        </message>
+        <message>
+            <source>no value of the profile takes that up: turn the gantry until it is 90°</source>
+            <translation>nenhum valor do perfil compensa isso: gire o pórtico até que sejam 90°</translation>
+        </message>
+        <message>
+            <source>note: {note}</source>
+            <translation>nota: {note}</translation>
+        </message>
+        <message>
+            <source>nothing was written</source>
+            <translation>nada foi escrito</translation>
+        </message>
+        <message>
+            <source>part    height        d1        d2        d3      mean  deviation     ratio  height's</source>
+            <translation>peça    altura        d1        d2        d3     média     desvio     razão  da altura</translation>
+        </message>
+        <message>
+            <source>path</source>
+            <translation>caminho</translation>
+        </message>
+        <message>
+            <source>pulse letters have no certificate: they are checked when they are sent</source>
+            <translation>letras de pulso não têm certificado: são verificadas quando são enviadas</translation>
+        </message>
+        <message>
+            <source>pulse letters need --machine</source>
+            <translation>letras de pulso precisam de --machine</translation>
+        </message>
+        <message>
+            <source>refused</source>
+            <translation>recusado</translation>
+        </message>
+        <message>
+            <source>required</source>
+            <translation>obrigatório</translation>
+        </message>
+        <message>
+            <source>square of {side:g} mm at {feed:g} mm/min: done</source>
+            <translation>quadrado de {side:g} mm a {feed:g} mm/min: feito</translation>
+        </message>
+        <message>
+            <source>takes {time_s:.1f} s</source>
+            <translation>leva {time_s:.1f} s</translation>
+        </message>
+        <message>
+            <source>the angle between X and Y is {angle_deg:.4f}°: {deviation_deg:+.4f}°, {skew_mm_m:.3f} mm over a metre</source>
+            <translation>o ângulo entre X e Y é {angle_deg:.4f}°: {deviation_deg:+.4f}°, {skew_mm_m:.3f} mm em um metro</translation>
+        </message>
+        <message>
+            <source>the chart has no row of {process}</source>
+            <translation>a tabela não tem linha de {process}</translation>
+        </message>
+        <message>
+            <source>the file is written anew, in our own layout: its comments are not in it</source>
+            <translation>o arquivo é escrito de novo, na nossa própria forma: seus comentários não estão nele</translation>
+        </message>
+        <message>
+            <source>the finished part: {json}; {png}</source>
+            <translation>a peça acabada: {json}; {png}</translation>
+        </message>
+        <message>
+            <source>the job goes on</source>
+            <translation>o trabalho continua</translation>
+        </message>
+        <message>
+            <source>the job goes on from here</source>
+            <translation>o trabalho continua daqui</translation>
+        </message>
+        <message>
+            <source>the job has ended: {text}</source>
+            <translation>o trabalho terminou: {text}</translation>
+        </message>
+        <message>
+            <source>the job is split into {parts} programs: say with --part which of them this is</source>
+            <translation>o trabalho está dividido em {parts} programas: diga com --part qual deles é este</translation>
+        </message>
+        <message>
+            <source>the profile does not say what drives {axis}: add [axis.{axis}.drive] to it</source>
+            <translation>o perfil não diz o que aciona {axis}: acrescente [axis.{axis}.drive] a ele</translation>
+        </message>
+        <message>
+            <source>the profile says what drives the axis: leave the drive's options out</source>
+            <translation>o perfil diz o que aciona o eixo: não dê as opções do acionamento</translation>
+        </message>
+        <message>
+            <source>these options belong to --turn, not to --tool</source>
+            <translation>estas opções são de --turn, não de --tool</translation>
+        </message>
+        <message>
+            <source>this machine has no relay: [[relay]] of the profile names those of a controller that switches some</source>
+            <translation>esta máquina não tem relé: [[relay]] do perfil nomeia os de um controlador que liga alguns</translation>
+        </message>
+        <message>
+            <source>this makes it a program for {target}: {command}</source>
+            <translation>isto faz dele um programa para {target}: {command}</translation>
+        </message>
+        <message>
+            <source>touch_off: the operator zeroes each tool, so that lengths are left out. [default: lengths are kept]</source>
+            <translation>touch_off: o operador zera cada ferramenta, de modo que os comprimentos são deixados de fora. [padrão: os comprimentos ficam]</translation>
+        </message>
+        <message>
+            <source>unknown error</source>
+            <translation>erro desconhecido</translation>
+        </message>
+        <message>
+            <source>warning: no rule takes {open} chains: {layer}</source>
+            <translation>aviso: nenhuma regra pega {open} cadeias: {layer}</translation>
+        </message>
+        <message>
+            <source>what moves the axis? give --screw MM, or --belt MM and --teeth N, or --machine and --axis</source>
+            <translation>o que move o eixo? dê --screw MM, ou --belt MM e --teeth N, ou --machine e --axis</translation>
+        </message>
+        <message>
+            <source>{acknowledged} of {total} lines acknowledged in {elapsed_s:.1f} s</source>
+            <translation>{acknowledged} de {total} linhas confirmadas em {elapsed_s:.1f} s</translation>
+        </message>
+        <message>
+            <source>{axis}: backlash {play_mm:.4f} mm (profile: {was_mm:g} mm), standard deviations {below_mm:.4f} and {above_mm:.4f} mm</source>
+            <translation>{axis}: folga {play_mm:.4f} mm (perfil: {was_mm:g} mm), desvios padrão {below_mm:.4f} e {above_mm:.4f} mm</translation>
+        </message>
+        <message>
+            <source>{axis}: commanded {length_mm:g} mm, {values_mm} readings: mean {mean_mm:.4f} mm, standard deviation {deviation_mm:.4f} mm, of the mean {mean_deviation_mm:.4f} mm, range {range_mm:.4f} mm</source>
+            <translation>{axis}: comandados {length_mm:g} mm, {values_mm} leituras: média {mean_mm:.4f} mm, desvio padrão {deviation_mm:.4f} mm, da média {mean_deviation_mm:.4f} mm, amplitude {range_mm:.4f} mm</translation>
+        </message>
+        <message>
+            <source>{axis}: steps_per_mm {steps:g} becomes {new:g}</source>
+            <translation>{axis}: steps_per_mm {steps:g} passa a {new:g}</translation>
+        </message>
+        <message>
+            <source>{axis}: the commanded length is the measured one within the readings' scatter: steps_per_mm {steps:g} stays</source>
+            <translation>{axis}: o comprimento comandado é o medido dentro da dispersão das leituras: steps_per_mm {steps:g} fica</translation>
+        </message>
+        <message>
+            <source>{axis}: {count} pulses {forward}, {length_mm:g} mm</source>
+            <translation>{axis}: {count} pulsos {forward}, {length_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>{certificate}: written</source>
+            <translation>{certificate}: escrito</translation>
+        </message>
+        <message>
+            <source>{copied_from} ships with the program and stays as it is; your copy takes its place</source>
+            <translation>{copied_from} é fornecido com o programa e fica como está; a sua cópia toma o lugar dele</translation>
+        </message>
+        <message>
+            <source>{drawing}: written, what the script draws</source>
+            <translation>{drawing}: escrito, o que o script desenha</translation>
+        </message>
+        <message>
+            <source>{file} is disconnected</source>
+            <translation>{file} está desconectado</translation>
+        </message>
+        <message>
+            <source>{file}: {blocks} blocks that move, {minutes:.1f} min; {report}; {picture}</source>
+            <translation>{file}: {blocks} blocos que se movem, {minutes:.1f} min; {report}; {picture}</translation>
+        </message>
+        <message>
+            <source>{file}: {blocks} blocks that move, {minutes:.1f} min; {told}; {picture}</source>
+            <translation>{file}: {blocks} blocos que se movem, {minutes:.1f} min; {told}; {picture}</translation>
+        </message>
+        <message>
+            <source>{lines} settings written and read back</source>
+            <translation>{lines} configurações escritas e lidas de volta</translation>
+        </message>
+        <message>
+            <source>{name} has no process with a cut chart: it has {processes}</source>
+            <translation>{name} não tem processo com tabela de corte: tem {processes}</translation>
+        </message>
+        <message>
+            <source>{name} {filename!r} does not exist.</source>
+            <translation>{name} {filename!r} não existe.</translation>
+        </message>
+        <message>
+            <source>{name} {filename!r} is a directory.</source>
+            <translation>{name} {filename!r} é um diretório.</translation>
+        </message>
+        <message>
+            <source>{name} {filename!r} is a file.</source>
+            <translation>{name} {filename!r} é um arquivo.</translation>
+        </message>
+        <message>
+            <source>{name} {filename!r} is not readable.</source>
+            <translation>{name} {filename!r} não pode ser lido.</translation>
+        </message>
+        <message>
+            <source>{name} {filename!r} is not writable.</source>
+            <translation>{name} {filename!r} não pode ser escrito.</translation>
+        </message>
+        <message>
+            <source>{name}: off</source>
+            <translation>{name}: desligado</translation>
+        </message>
+        <message>
+            <source>{name}: tool {tool}, {lines} lines</source>
+            <translation>{name}: ferramenta {tool}, {lines} linhas</translation>
+        </message>
+        <message>
+            <source>{out}: kerf {kerf_mm:g} mm, outside {side_mm:g} mm, inside {side_mm2:g} mm</source>
+            <translation>{out}: largura do corte {kerf_mm:g} mm, fora {side_mm:g} mm, dentro {side_mm2:g} mm</translation>
+        </message>
+        <message>
+            <source>{out}: not written; the arranged program would be refused</source>
+            <translation>{out}: não escrito; o programa arranjado seria recusado</translation>
+        </message>
+        <message>
+            <source>{out}: written</source>
+            <translation>{out}: escrito</translation>
+        </message>
+        <message>
+            <source>{out}: written; {lines} lines</source>
+            <translation>{out}: escrito; {lines} linhas</translation>
+        </message>
+        <message>
+            <source>{out}: written{proven}</source>
+            <translation>{out}: escrito{proven}</translation>
+        </message>
+        <message>
+            <source>{out}: {copies} copies of {read} programs</source>
+            <translation>{out}: {copies} cópias de {read} programas</translation>
+        </message>
+        <message>
+            <source>{out}: {name} for FreeCAD</source>
+            <translation>{out}: {name} para FreeCAD</translation>
+        </message>
+        <message>
+            <source>{out}: {operation} operations, stock {size} mm</source>
+            <translation>{out}: {operation} operações, bruto {size} mm</translation>
+        </message>
+        <message>
+            <source>{out}: {removed:.1f} cm³ removed in {time_s:.1f} s</source>
+            <translation>{out}: {removed:.1f} cm³ removidos em {time_s:.1f} s</translation>
+        </message>
+        <message>
+            <source>{out}: {settings} settings of {text}</source>
+            <translation>{out}: {settings} configurações de {text}</translation>
+        </message>
+        <message>
+            <source>{parent}: {slices} sheets, {volume_mm3:.6g} mm3, {share:+.3%} of the solid</source>
+            <translation>{parent}: {slices} chapas, {volume_mm3:.6g} mm3, {share:+.3%} do sólido</translation>
+        </message>
+        <message>
+            <source>{parts} parts on {sheets:g} sheets, {metres:.1f} m, {pierces:.0f} pierces, {hours:.2f} h{cost}; {done} tasks done, {found} found done</source>
+            <translation>{parts} peças em {sheets:g} chapas, {metres:.1f} m, {pierces:.0f} perfurações, {hours:.2f} h{cost}; {done} tarefas feitas, {found} já encontradas feitas</translation>
+        </message>
+        <message>
+            <source>{path}: made from {source}</source>
+            <translation>{path}: criado de {source}</translation>
+        </message>
+        <message>
+            <source>{path}: not changed; the new program would be refused</source>
+            <translation>{path}: não mudado; o novo programa seria recusado</translation>
+        </message>
+        <message>
+            <source>{path}: not written; add --out FOLDER</source>
+            <translation>{path}: não escrito; acrescente --out FOLDER</translation>
+        </message>
+        <message>
+            <source>{path}: written</source>
+            <translation>{path}: escrito</translation>
+        </message>
+        <message>
+            <source>{path}: {before} lines become {after}</source>
+            <translation>{path}: {before} linhas passam a {after}</translation>
+        </message>
+        <message>
+            <source>{path}: {feed_mm_min:g} mm/min</source>
+            <translation>{path}: {feed_mm_min:g} mm/min</translation>
+        </message>
+        <message>
+            <source>{phase}: line {line}  {place}</source>
+            <translation>{phase}: linha {line}  {place}</translation>
+        </message>
+        <message>
+            <source>{phase}: {status}, at line {file_line}</source>
+            <translation>{phase}: {status}, na linha {file_line}</translation>
+        </message>
+        <message>
+            <source>{placements} parts on {kind}</source>
+            <translation>{placements} peças em {kind}</translation>
+        </message>
+        <message>
+            <source>{placements} pieces on {sheets} sheets of {size_mm:g} x {size_mm2:g} mm</source>
+            <translation>{placements} peças em {sheets} chapas de {size_mm:g} x {size_mm2:g} mm</translation>
+        </message>
+        <message>
+            <source>{plot}: the mean diameters</source>
+            <translation>{plot}: os diâmetros médios</translation>
+        </message>
+        <message>
+            <source>{plot}: the readings</source>
+            <translation>{plot}: as leituras</translation>
+        </message>
+        <message>
+            <source>{program}: refused; it cannot be read</source>
+            <translation>{program}: recusado; não pode ser lido</translation>
+        </message>
+        <message>
+            <source>{program}: this restart is refused</source>
+            <translation>{program}: esta retomada é recusada</translation>
+        </message>
+        <message>
+            <source>{program}: {verdict}; {blocks} blocks that move, {time_s:.1f} s</source>
+            <translation>{program}: {verdict}; {blocks} blocos que se movem, {time_s:.1f} s</translation>
+        </message>
+        <message>
+            <source>{pulses} pulses in {plan:.1f} s, from here to {ends} mm</source>
+            <translation>{pulses} pulsos em {plan:.1f} s, daqui a {ends} mm</translation>
+        </message>
+        <message>
+            <source>{rows} of {all_rows} settings differ</source>
+            <translation>{rows} de {all_rows} configurações diferem</translation>
+        </message>
+        <message>
+            <source>{setting}: written; home the machine, or set its zero</source>
+            <translation>{setting}: escrito; faça o referenciamento da máquina, ou defina o zero</translation>
+        </message>
+        <message>
+            <source>{sound} of {made} programs, {sound2:.1f} min</source>
+            <translation>{sound} de {made} programas, {sound2:.1f} min</translation>
+        </message>
+        <message>
+            <source>{status}   ~ goes on, stop ends it</source>
+            <translation>{status}   ~ continua, stop encerra</translation>
+        </message>
+        <message>
+            <source>{title}: {count} chains</source>
+            <translation>{title}: {count} cadeias</translation>
+        </message>
+        <message>
+            <source>{total} copies do not fit into a grid of {grid:g}</source>
+            <translation>{total} cópias não cabem em uma grade de {grid:g}</translation>
+        </message>
+        <message>
+            <source>{to}: {rows} rows</source>
+            <translation>{to}: {rows} linhas</translation>
+        </message>
+        <message>
+            <source>{value!r} is not a valid boolean. Recognized values: {states}</source>
+            <translation>{value!r} não é um valor booleano válido. Valores reconhecidos: {states}</translation>
+        </message>
+        <message>
+            <source>{value!r} is not a valid {number_type}.</source>
+            <translation>{value!r} não é um {number_type} válido.</translation>
+        </message>
+        <message>
+            <source>{value!r} is not one of {choices}.</source>
+            <translation>{value!r} não é nenhum de {choices}.</translation>
+        </message>
+        <message>
+            <source>{value!r} is not {choice}.</source>
+            <translation>{value!r} não é {choice}.</translation>
+        </message>
+        <message>
+            <source>{value} is not a number from {words}</source>
+            <translation>{value} não é um número de {words}</translation>
+        </message>
+        <message>
+            <source>{value} is not in the range {range}.</source>
+            <translation>{value} não está no intervalo {range}.</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper core</name>
         <message>
             <source>! is a command to the controller (feed hold), not part of a program</source>
@@ -14984,6 +17671,10 @@
         <message>
             <source>at z {0} mm, radius {1} mm</source>
             <translation>em z {0} mm, raio {1} mm</translation>
+        </message>
+        <message>
+            <source>at {place} mm</source>
+            <translation>em {place} mm</translation>
         </message>
         <message>
             <source>at {z:.4g} mm along the axis</source>
@@ -25284,6 +27975,10 @@
         <message>
             <source>{count} lines have markers, which are not read</source>
             <translation>{count} linhas têm marcadores, que não são lidos</translation>
+        </message>
+        <message>
+            <source>{count} moves</source>
+            <translation>{count} movimentos</translation>
         </message>
         <message>
             <source>{count} of {name}: {why}</source>

@@ -9,6 +9,7 @@ import click
 
 from CNCStepper.cli.common.options import NumberType, machine_option
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 from CNCStepper.machine.axis_drive import USUAL_RATE_HZ, Drive, answers, shown
 from CNCStepper.machine.profile import AXIS_NAMES, Machine, validated
 
@@ -69,21 +70,23 @@ def command(
 def _of_options(given: dict[str, Any]) -> Drive:
     if not given.keys() & {"screw_pitch_mm", "belt_pitch_mm", "pulley_teeth"}:
         raise click.UsageError(
-            "what moves the axis? give --screw MM, or --belt MM and --teeth N, or --machine and --axis"
+            Text("what moves the axis? give --screw MM, or --belt MM and --teeth N, or --machine and --axis")
         )
     if ("belt_pitch_mm" in given) != ("pulley_teeth" in given):
-        raise click.UsageError("--belt and --teeth belong together")
+        raise click.UsageError(Text("--belt and --teeth belong together"))
     return validated(Drive, given, TOLD)
 
 
 def _of_profile(machine: Machine | None, axis: str | None, given: dict[str, Any]) -> tuple[Drive, float]:
     if machine is None or axis is None:
-        raise click.UsageError("--machine and --axis belong together")
+        raise click.UsageError(Text("--machine and --axis belong together"))
     if given:
-        raise click.UsageError("the profile says what drives the axis: leave the drive's options out")
+        raise click.UsageError(Text("the profile says what drives the axis: leave the drive's options out"))
     entry = machine.axis[axis]  # type: ignore[index]
     if entry.drive is None:
-        raise click.UsageError(f"the profile does not say what drives {axis}: add [axis.{axis}.drive] to it")
+        raise click.UsageError(
+            Text("the profile does not say what drives {axis}: add [axis.{axis}.drive] to it", axis=axis)
+        )
     return entry.drive, entry.max_rate_mm_min
 
 

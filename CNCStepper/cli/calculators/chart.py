@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from CNCStepper.atomic_file import write_whole
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.verb import Verbs, check_further
@@ -73,8 +74,8 @@ def convert(file: Path, to: Path, units: str | None, to_units: str) -> None:
     """Write a chart as TOML or as QtPlasmaC's material file; what such a file cannot hold is told."""
     rows = read_chart(file, units or "")
     for note in write_chart(to, rows, to_units):
-        click.echo(f"   note: {note}")
-    click.echo(f"{to}: {len(rows)} rows")
+        show_text("   note: {note}", note=note)
+    show_text("{to}: {rows} rows", to=to, rows=len(rows))
 
 
 @command.command("kerf-test")
@@ -94,7 +95,13 @@ def kerf_test_(
     """
     row = _row(process, material, thickness_mm, consumable, None, "")
     write_whole(out, kerf_test(row, machine, side_mm).encode("utf-8"))
-    click.echo(f"{out}: kerf {row.kerf_mm:g} mm, outside {side_mm:g} mm, inside {side_mm / 2:g} mm")
+    show_text(
+        "{out}: kerf {kerf_mm:g} mm, outside {side_mm:g} mm, inside {side_mm2:g} mm",
+        out=out,
+        kerf_mm=row.kerf_mm,
+        side_mm=side_mm,
+        side_mm2=side_mm / 2,
+    )
 
 
 @command.command("speed-test")
@@ -117,7 +124,7 @@ def speed_test_(
     check_further([Output(path, "--out") for path, _, _ in jobs])
     for path, text, feed_mm_min in jobs:
         write_whole(path, text.encode("utf-8"))
-        click.echo(f"{path}: {feed_mm_min:g} mm/min")
+        show_text("{path}: {feed_mm_min:g} mm/min", path=path, feed_mm_min=feed_mm_min)
 
 
 def _rows(process: str, chart: Path | None, units: str | None) -> list[CutData]:

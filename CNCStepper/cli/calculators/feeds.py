@@ -10,6 +10,7 @@ import click
 
 from CNCStepper.cli.common.options import NumberType, ToolType, machine_option
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 from CNCStepper.machine.feeds_and_speeds import Feeds, Remark, feeds_of
 from CNCStepper.machine.materials import Material, material, material_names
 from CNCStepper.machine.profile import Machine
@@ -72,13 +73,13 @@ def command(
     """
     of_lathe = (depth, feed, rpm, power, stickout, grip, tailstock or None)
     if (tool is None) == (diameter is None):
-        raise click.UsageError("give --tool for a mill, or --turn for a lathe")
+        raise click.UsageError(Text("give --tool for a mill, or --turn for a lathe"))
     if tool is not None:
         if any(value is not None for value in of_lathe):
-            raise click.UsageError("these options belong to --turn, not to --tool")
+            raise click.UsageError(Text("these options belong to --turn, not to --tool"))
         lines = _of_cutter(material(name), tool, flutes, hss, machine)
     elif depth is None or feed is None:
-        raise click.UsageError("--turn needs --depth and --feed")
+        raise click.UsageError(Text("--turn needs --depth and --feed"))
     else:
         motor_w = power or (machine.spindle.power_w if machine else 0.0)
         holding = Holding(stickout or 0.0, tailstock, grip or 0.0)

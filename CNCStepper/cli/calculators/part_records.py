@@ -8,9 +8,11 @@ from typing import Any
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import NumberType
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 from CNCStepper.machine.axis_tests import Readings
 from CNCStepper.machine.part_records import DIAMETERS, PartRecord, over_parts, part_record
 from CNCStepper.quantities import MOST_ITEMS
@@ -26,7 +28,11 @@ class _PartType(click.ParamType):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
         words = str(value).split(",")
         if len(words) != 1 + DIAMETERS:
-            self.fail(f"'{value}' is not a height and three diameters, such as 150.02,49.98,50.01,50.00", param, ctx)
+            self.fail(
+                Text("'{value}' is not a height and three diameters, such as 150.02,49.98,50.01,50.00", value=value),
+                param,
+                ctx,
+            )
         return tuple(LengthType.convert(word.strip(), param, ctx) for word in words)
 
 
@@ -42,9 +48,9 @@ def command(parts: tuple[tuple[float, ...], ...], height: float, diameter: float
       cncstepper part-records --height 150 --diameter 50 150.02,49.98,50.01,50.00 149.97,50.03,50.02,49.99
     """
     if len(parts) > MOST_ITEMS["notes"]:
-        raise click.UsageError(f"at most {MOST_ITEMS['notes']} parts")
+        raise click.UsageError(Text("at most {notes} parts", notes=MOST_ITEMS["notes"]))
     records = [part_record(values, height, diameter) for values in parts]
-    click.echo("part    height        d1        d2        d3      mean  deviation     ratio  height's")
+    show_text("part    height        d1        d2        d3      mean  deviation     ratio  height's")
     for number, record in enumerate(records, start=1):
         click.echo(_row(number, record, height, diameter))
     heights, means = over_parts(records)
@@ -55,7 +61,7 @@ def command(parts: tuple[tuple[float, ...], ...], height: float, diameter: float
 
         title = f"mean diameters of {len(records)} parts of {diameter:g} mm"
         save_readings(plot, title, diameter, means.values_mm, means.mean_mm, means.deviation_mm)
-        click.echo(f"{plot}: the mean diameters")
+        show_text("{plot}: the mean diameters", plot=plot)
 
 
 def _row(number: int, record: PartRecord, height_mm: float, diameter_mm: float) -> str:

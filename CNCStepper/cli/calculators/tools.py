@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.verb import Verb, check_further
@@ -32,10 +33,10 @@ def command(file: Path, to: Path | None, inch: bool) -> None:
     for stored in tools:
         click.echo(f"{stored.number}: {stored.name or '-'}: {_words(stored)}")
         for note in stored.notes:
-            click.echo(f"   note: {note}")
+            show_text("   note: {note}", note=note)
     if to is not None:
         for note in write_tools(tools, to, unit_mm):
-            click.echo(f"   note: {note}")
+            show_text("   note: {note}", note=note)
         click.echo(f"{to}: {', '.join(str(stored.number) for stored in read_tools(to, unit_mm))}")
 
 

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.options import FilePath, NumberType
+from CNCStepper.errors import Text
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.machine.profile import Machine
 
@@ -53,7 +54,7 @@ class ChartOptions:
         if self == ChartOptions():
             return machine.language(dialect or "") if machine else dialect or "grbl"
         if machine is None or not self.material or self.thickness is None:
-            raise click.UsageError("--material, --thickness and --machine (or --job) go together")
+            raise click.UsageError(Text("--material, --thickness and --machine (or --job) go together"))
         row = self._row(machine)
         click.echo(told(row))
         return machine.language(dialect or "", row.feed_mm_min)
@@ -75,7 +76,11 @@ class ChartOptions:
         own = [name for name in machine.processes if name in CHARTED]
         if not (self.process or own):
             raise click.UsageError(
-                f"{machine.name} has no process with a cut chart: it has {', '.join(machine.processes)}"
+                Text(
+                    "{name} has no process with a cut chart: it has {processes}",
+                    name=machine.name,
+                    processes=", ".join(machine.processes),
+                )
             )
         process = machine.process(self.process or own[0])
         return cut_data_for(process.name, self.material, self.thickness, self.consumable, chart)

@@ -10,6 +10,8 @@ from typing import Any
 
 import click
 
+from CNCStepper.cli.common.language import show_text
+from CNCStepper.errors import Text
 from CNCStepper.simulation.finding import Finding
 
 REPORT = "CNCStepper report"  # by which `output_files` knows it
@@ -18,15 +20,18 @@ REPORT = "CNCStepper report"  # by which `output_files` knows it
 def show_findings(findings: Iterable[Finding]) -> None:
     """Print each finding as file:line:column: text."""
     for finding in findings:
-        click.echo(str(finding))
+        show_text(finding.line)
 
 
 def show_figures(report: dict[str, Any]) -> None:
     """Print a program's figures: lengths, pierces, removed volume, and each operation's time."""
-    lengths = "cut {cut_length_mm:.1f} mm, in air {air_length_mm:.1f} mm, rapid {rapid_length_mm:.1f} mm"
     volume_mm3 = report["removed_volume_mm3"]
-    removed = "" if volume_mm3 is None else f", {volume_mm3 / 1000:.3g} cm³ removed"
-    click.echo(f"{lengths.format(**report)}, pierces {report['pierces']}{removed}")
+    removed = "" if volume_mm3 is None else Text(", {volume:.3g} cm³ removed", volume=volume_mm3 / 1000)
+    show_text(
+        "cut {cut:.1f} mm, in air {air:.1f} mm, rapid {rapid:.1f} mm, pierces {pierces}{removed}",
+        cut=report["cut_length_mm"], air=report["air_length_mm"], rapid=report["rapid_length_mm"],
+        pierces=report["pierces"], removed=removed,
+    )  # fmt: skip
     for operation in report["operations"]:
         told = ", ".join(f"{name} {value:.4g}" for name, value in operation.get("figures", {}).items())
         click.echo(f"{operation['name']}: {operation['time_s']:.1f} s" + (f", {told}" if told else ""))

@@ -14,6 +14,7 @@ import click
 from CNCStepper.cli.common.options import MOST, Named, NumberType
 from CNCStepper.cli.common.program_options import ProgramOptions
 from CNCStepper.cli.job_file import is_turning_file
+from CNCStepper.errors import Text
 from CNCStepper.machine.profile import Machine
 
 if TYPE_CHECKING:
@@ -43,7 +44,11 @@ class _Bar(click.ParamType):
         except ValueError:
             sizes = ()
         if len(sizes) not in (2, 3) or not all(0 < size < MOST for size in sizes) or sizes[2:] >= sizes[:1]:
-            self.fail(f"'{value}' is no bar: write its diameter and length in mm, such as 55x170", param, ctx)
+            self.fail(
+                Text("'{value}' is no bar: write its diameter and length in mm, such as 55x170", value=value),
+                param,
+                ctx,
+            )
         return sizes
 
 
@@ -65,9 +70,9 @@ class LatheOptions:
         """Return whether a lathe program is asked about; refuses options that do not go together."""
         of_job = given.job_path is not None and is_turning_file(given.job_path)
         if self.bar_mm and (given.stock_mm or given.job_path):
-            raise click.UsageError("--bar is the stock of a lathe: leave --stock and --job out")
+            raise click.UsageError(Text("--bar is the stock of a lathe: leave --stock and --job out"))
         if (self.tools or self.face_mm) and not self.bar_mm:
-            raise click.UsageError("--turning-tool and --face go with --bar")
+            raise click.UsageError(Text("--turning-tool and --face go with --bar"))
         return bool(self.bar_mm) or of_job
 
     def prove(
@@ -88,7 +93,7 @@ class LatheOptions:
             assert given.job_path is not None  # turns() has looked
             return prove_text_of_job(text, given.job_path, machine, part=part, **words)
         if part is not None:
-            raise click.UsageError("--part goes with --job")
+            raise click.UsageError(Text("--part goes with --job"))
         diameter_mm, length_mm, bore_mm = (*self.bar_mm, 0.0)[:3]
         stock = TurnedBar(diameter_mm, length_mm, bore_mm, self.face_mm)
         return prove_turned(text, machine, stock, {tool.number: tool for tool in self.tools}, **words)

@@ -15,17 +15,18 @@ from pathlib import Path
 import click
 
 from CNCStepper.cancellation import interruptible
-from CNCStepper.errors import CNCStepperError, Place, ProgramError
+from CNCStepper.cli.common.language import show_text
+from CNCStepper.errors import CNCStepperError, Place, ProgramError, Text
 
-DIALECT = "--dialect says how a program is read: linuxcnc knows parameters, expressions and O-words"
-TOOLS = "--tool-table FILE tells the tools' lengths and diameters"
-PLACE = "--position X,Y,Z says where the machine stands at first, --parameters FILE the places of G28 and G30"
+DIALECT = Text("--dialect says how a program is read: linuxcnc knows parameters, expressions and O-words")
+TOOLS = Text("--tool-table FILE tells the tools' lengths and diameters")
+PLACE = Text("--position X,Y,Z says where the machine stands at first, --parameters FILE the places of G28 and G30")
 HINTS = {
     "unknown-position": PLACE,
-    "no-subroutine": "--search FOLDER says where else the files of subroutines stand",
+    "no-subroutine": Text("--search FOLDER says where else the files of subroutines stand"),
     "tool-length": TOOLS,
     "tool-diameter": TOOLS,
-    "not-expressible": "--leave-out leaves out what the target lacks: spindle, coolant, dwell, pause or tool",
+    "not-expressible": Text("--leave-out leaves out what the target lacks: spindle, coolant, dwell, pause or tool"),
 }
 
 
@@ -42,7 +43,7 @@ def show_hints(errors: Iterable[CNCStepperError]) -> None:
     found = [text for error in errors for text in getattr(error, "__notes__", ())]
     for text in dict.fromkeys((*map(_hint, errors), *found)):
         if text:
-            click.echo(f"hint: {text}", err=True)
+            show_text("hint: {text}", err=True, text=text)
 
 
 def add_conversion(error: ProgramError, context: click.Context) -> None:
@@ -72,13 +73,17 @@ def _conversion(program: Path, context: click.Context, refusal: ProgramError) ->
     except _TooLongError:
         return ""
     except ProgramError as reason:
-        return "" if _is_wrong(refusal, reason) else f"no conversion makes it a program for {target}: {reason}"
+        return "" if _is_wrong(refusal, reason) else _no_conversion(target, reason)
     if found is None:
         return ""
     words = ["cncstepper", "convert", _as_file(program), "--dialect", found.source, "--to", target]
     words += ["--tool-change", rule, *(["--tool-length", found.tool_length] if found.tool_length else [])]
     words += [*_start_words(), "-o", _as_file(_new_name(program, target))]
-    return f"this makes it a program for {target}: {shell_line(words)}"
+    return Text("this makes it a program for {target}: {command}", target=target, command=shell_line(words))
+
+
+def _no_conversion(target: str, reason: ProgramError) -> Text:
+    return Text("no conversion makes it a program for {target}: {reason}", target=target, reason=reason)
 
 
 class _TooLongError(Exception):

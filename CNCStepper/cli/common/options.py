@@ -18,7 +18,7 @@ import click
 from click.core import ParameterSource
 
 from CNCStepper.cli.common.path_types import InputPath, as_typed
-from CNCStepper.errors import CNCStepperError, ProgramError
+from CNCStepper.errors import CNCStepperError, ProgramError, Text
 from CNCStepper.gcode.dialects import dialect as dialect_called
 from CNCStepper.gcode.dialects import dialect_names
 from CNCStepper.input_file import read_input
@@ -48,11 +48,20 @@ class NumberType(click.ParamType):
         except ValueError:
             number = float("nan")
         if self._bounds and not self._bounds.allows(number):
-            self.fail(f"{shown(value)} is not a number from {self._bounds.words}", param, ctx)
+            self.fail(
+                Text("{value} is not a number from {words}", value=shown(value), words=self._bounds.words), param, ctx
+            )
         if not self._above < number < MOST:
-            least = f" above {self._above:g}" if self._above > -MOST else ""
-            self.fail(f"'{value}' is not a number{least} with a decimal point, such as 1.5", param, ctx)
+            self.fail(self._refusal(value), param, ctx)
         return number
+
+    def _refusal(self, value: Any) -> Text:
+        if self._above > -MOST:
+            return Text(
+                "'{value}' is not a number above {least:g} with a decimal point, such as 1.5",
+                value=value, least=self._above,
+            )  # fmt: skip
+        return Text("'{value}' is not a number with a decimal point, such as 1.5", value=value)
 
 
 class _PlaceType(click.ParamType):
@@ -66,7 +75,7 @@ class _PlaceType(click.ParamType):
         except ValueError:
             numbers = ()
         if refusal := self.refusal(numbers):
-            self.fail(f"'{value}' {refusal}", param, ctx)
+            self.fail(Text("'{value}' {refusal}", value=value, refusal=refusal), param, ctx)
         return numbers
 
     def refusal(self, numbers: tuple[float, ...]) -> str:
@@ -86,8 +95,9 @@ class NumbersType(_PlaceType):
         """Return why these are not three numbers within the bounds."""
         if len(numbers) == 3 and all(self._low <= number <= self._high for number in numbers):
             return ""
-        kind = "lengths above 0" if self._low > 0 else "numbers"
-        return f"is not three {kind} in mm with decimal points, such as 100,70,20"
+        if self._low > 0:
+            return Text("is not three lengths above 0 in mm with decimal points, such as 100,70,20")
+        return Text("is not three numbers in mm with decimal points, such as 100,70,20")
 
 
 class PointType(_PlaceType):
@@ -99,7 +109,7 @@ class PointType(_PlaceType):
         """Return why these are not two or three numbers."""
         if len(numbers) in (2, 3) and all(-MOST < number < MOST for number in numbers):
             return ""
-        return "is no point: two or three numbers in mm, such as 12.5,40 or 12.5,40,-2"
+        return Text("is no point: two or three numbers in mm, such as 12.5,40 or 12.5,40,-2")
 
 
 class Named(click.ParamType):
@@ -117,7 +127,7 @@ class Named(click.ParamType):
         try:
             return self._reader(value)
         except CNCStepperError as error:
-            self.fail(str(error), param, ctx)
+            self.fail(Text("{error}", error=error), param, ctx)
 
 
 ToolType = Named("SHAPE:MM", tool_from_text)
@@ -142,11 +152,11 @@ job_option = click.option(
 def check_stock(stock: Any, tool: Any, job_path: Path | None, required: bool = False) -> None:
     """Refuse options that describe the stock in part or twice; raises a usage error."""
     if job_path and (stock or tool):
-        raise click.UsageError("--job says the stock and the tools: leave --stock and --tool out")
+        raise click.UsageError(Text("--job says the stock and the tools: leave --stock and --tool out"))
     if tool and not stock:
-        raise click.UsageError("--tool goes with --stock")
+        raise click.UsageError(Text("--tool goes with --stock"))
     if required and not job_path and not (stock and tool):
-        raise click.UsageError("give --stock and --tool, or --job")
+        raise click.UsageError(Text("give --stock and --tool, or --job"))
 
 
 def machine_option(required: bool) -> Any:

@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+from CNCStepper.errors import Text
 from CNCStepper.input_file import STREAM_NAME, input_kind
 from CNCStepper.output_files import Output, in_folder
 from CNCStepper.safe_text import printable
@@ -26,7 +27,7 @@ class InputPath(click.Path):
         """Return the path; a pipe without a writer would let the command wait for ever, a device never ends."""
         path = super().convert(value, param, ctx)
         if not STREAM_NAME.fullmatch(str(path)) and (kind := _kind_of(path)):
-            self.fail(f"'{printable(str(path))}' is {kind}, not a file", param, ctx)
+            self.fail(Text("'{path}' is {kind}, not a file", path=printable(str(path)), kind=kind), param, ctx)
         return path
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
@@ -91,7 +92,7 @@ def _write(
         save_drawing_picture(picture, drawing, file.name, problems)
     for path in (chains, out, picture):
         if path:
-            click.echo(f"{path}: written")
+            show_text("{path}: written", path=path)
 
 
 def _lines(file: Path, drawing: Drawing) -> Iterator[str]:

@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 
 from CNCStepper.cli.common.findings_output import save
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
@@ -49,18 +50,18 @@ def command(
     with Progress(f"reading {drawing.name}") as progress:
         if drawing.suffix.casefold() == SCRIPT:
             drawing = drawing_of_script(rules, drawing, out, progress.share)
-            click.echo(f"{drawing}: written, what the script draws")
+            show_text("{drawing}: written, what the script draws", drawing=drawing)
         made = job_of_drawing(
             rules, drawing, out, thickness_mm=thickness_mm, material=material, unit_mm=unit_mm, strict=strict,
             share=progress.share,
         )  # fmt: skip
     for title, count in made.counts:
-        click.echo(f"{title}: {count} chains")
+        show_text("{title}: {count} chains", title=title, count=count)
     for note in made.job.notes:
-        click.echo(f"note: {note}")
+        show_text("note: {note}", note=note)
     for untaken in made.untaken:
         layer = f"layer '{untaken.layer}' {untaken.colour}".strip()
-        click.echo(f"warning: no rule takes {untaken.closed + untaken.open} chains: {layer}")
+        show_text("warning: no rule takes {open} chains: {layer}", open=untaken.closed + untaken.open, layer=layer)
     save(out, made.text.encode("utf-8"))
     size = " x ".join(f"{length:g}" for length in made.job.stock.size_mm)
-    click.echo(f"{out}: {len(made.job.operation)} operations, stock {size} mm")
+    show_text("{out}: {operation} operations, stock {size} mm", out=out, operation=len(made.job.operation), size=size)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import NumberType
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.editing.edit_options import Opened, editing_options
@@ -33,5 +34,5 @@ def command(opened: Opened, tolerance: float) -> Edited:
 
     edited = compact(opened.text, tolerance, **opened.reading)
     before, after = (len(text.splitlines()) for text in (edited.before, edited.text))
-    click.echo(f"{opened.path}: {before} lines become {after}", err=True)
+    show_text("{path}: {before} lines become {after}", err=True, path=opened.path, before=before, after=after)
     return edited

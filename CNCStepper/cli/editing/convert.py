@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from CNCStepper.cli.common.findings_output import save
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import DialectType, NumberType, linuxcnc_option, program_argument, read_program
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
@@ -80,9 +81,9 @@ def command(
         chosen["share"] = progress.share
         made = convert(read_program(program), dialect or "linuxcnc", target, start, str(program), **chosen)
     for note in made.notes:
-        click.echo(f"note: {note}", err=True)
+        show_text("note: {note}", err=True, note=note)
     if out:
         save(out, made.text.encode("ascii"))
-        click.echo(f"{out}: written; {len(made.text.splitlines())} lines", err=True)
+        show_text("{out}: written; {lines} lines", err=True, out=out, lines=len(made.text.splitlines()))
     else:
         click.echo(made.text, nl=False)

@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import MOST, NumbersType, NumberType
 from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.verb import Verbs
 from CNCStepper.cli.editing.edit_options import Opened, editing_options, reading_options
+from CNCStepper.errors import Text
 
 if TYPE_CHECKING:
     from CNCStepper.gcode.edit.edit_result import Edited
@@ -33,7 +35,9 @@ class _Place(click.ParamType):
         except ValueError:
             x = y = float("nan")
         if not max(abs(x), abs(y)) < MOST:
-            self.fail(f"'{value}' is not two numbers in mm with decimal points, such as 50,35", param, ctx)
+            self.fail(
+                Text("'{value}' is not two numbers in mm with decimal points, such as 50,35", value=value), param, ctx
+            )
         return x, y
 
 
@@ -77,7 +81,7 @@ def _scale(
     from CNCStepper.gcode.edit.transform_verbs import scale
 
     if factor is None and x is y is z is None:
-        raise click.UsageError("give --factor, or some of --x, --y, --z")
+        raise click.UsageError(Text("give --factor, or some of --x, --y, --z"))
     every = 1.0 if factor is None else factor
     by_x, by_y, by_z = (every if own is None else own for own in (x, y, z))
     return scale(opened.text, by_x, by_y, by_z, about, **opened.reading)
@@ -199,6 +203,11 @@ def _split(opened: Opened, out: Path | None) -> None:
         name = f"{opened.path.stem}-{program.number}-T{program.tool}{opened.path.suffix or '.nc'}"
         if out:
             save(out / name, opened.form.encoded(program.text))
-        click.echo(f"{out / name if out else name}: tool {program.tool}, {len(program.text.splitlines())} lines")
+        show_text(
+            "{name}: tool {tool}, {lines} lines",
+            name=out / name if out else name,
+            tool=program.tool,
+            lines=len(program.text.splitlines()),
+        )
     if not out:
-        click.echo(f"{opened.path}: not written; add --out FOLDER", err=True)
+        show_text("{path}: not written; add --out FOLDER", err=True, path=opened.path)

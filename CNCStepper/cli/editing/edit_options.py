@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save, show_findings
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.lathe_options import show_x
 from CNCStepper.cli.common.options import (
     check_stock,
@@ -26,6 +27,7 @@ from CNCStepper.cli.common.options import (
 )
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.start_state_options import StartOptions, start_options
+from CNCStepper.errors import Text
 
 if TYPE_CHECKING:
     from CNCStepper.gcode.edit.edit_result import Edited
@@ -66,7 +68,7 @@ class Opened:
         errors = judge.new_errors(self.text, text)
         if errors:
             show_findings(errors)
-            click.echo(f"{self.path}: not changed; the new program would be refused", err=True)
+            show_text("{path}: not changed; the new program would be refused", err=True, path=self.path)
             sys.exit(1)
 
 
@@ -110,7 +112,7 @@ def editing_options(function: Callable[..., Edited]) -> Callable[..., None]:
     @wraps(function)
     def command(opened: Opened, out: Path | None, in_place: bool, diff: bool | None, **more: Any) -> None:
         if out and in_place:
-            raise click.UsageError("give either --out or --in-place")
+            raise click.UsageError(Text("give either --out or --in-place"))
         edited = function(opened, **more)
         opened.check(edited.text)
         target = opened.path if in_place else out
@@ -134,4 +136,4 @@ def show(edited: Edited, path: Path, asked: bool | None, unsaved: bool) -> None:
     for line in shown:
         click.echo(line)
     if len(shown) < len(lines):
-        click.echo(f"... {len(lines) - len(shown)} more lines; --diff shows all", err=True)
+        show_text("... {lines} more lines; --diff shows all", err=True, lines=len(lines) - len(shown))

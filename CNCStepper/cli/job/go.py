@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.running_job import follow, session_file, session_option
 from CNCStepper.errors import MachineRefusal
@@ -39,7 +40,7 @@ def command(from_pause: bool, session: str | None) -> None:
             _from_cut(client)
         else:
             _from_pause(client, status)
-    click.echo("the job goes on")
+    show_text("the job goes on")
 
 
 def _check(status: SenderStatus, from_pause: bool) -> None:

@@ -5,8 +5,10 @@ from __future__ import annotations
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.running_job import follow, session_file, session_option
+from CNCStepper.errors import Text
 
 
 @click.command("hold", cls=Verb)
@@ -27,5 +29,7 @@ def command(session: str | None) -> None:
         client.hold()
         status = follow(client, before, lambda status: status.phase in WAITING, "hold")
         if client.outcome:
-            raise click.ClickException(f"the job has ended: {client.outcome.text}")
-        click.echo(f"{status.phase}: {why(status)}, at line {status.file_line}")
+            raise click.ClickException(Text("the job has ended: {text}", text=client.outcome.text))
+        show_text(
+            "{phase}: {status}, at line {file_line}", phase=status.phase, status=why(status), file_line=status.file_line
+        )

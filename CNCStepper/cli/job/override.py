@@ -13,6 +13,7 @@ import click
 
 from CNCStepper.cli.job.running_job import follow, session_file, session_option
 from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
+from CNCStepper.errors import Text
 
 TENS_AND_ONES = {"+10": "10", "-10": "-10", "+1": "1", "-1": "-1", "100": "reset"}
 STEPS: dict[str, dict[str, str]] = {  # of each kind: what is typed, and the step of the session's command
@@ -83,7 +84,7 @@ def _values(text: str) -> dict[str, str]:
     try:
         values = read_override(text)
     except ValueError as error:
-        raise click.UsageError(str(error)) from error
+        raise click.UsageError(Text("{error}", error=error)) from error
     if values is None:
-        raise click.UsageError(f"'{text}' is no override: write for example feed +10, or flood")
+        raise click.UsageError(Text("'{text}' is no override: write for example feed +10, or flood", text=text))
     return values

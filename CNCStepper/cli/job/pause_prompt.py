@@ -29,7 +29,7 @@ from CNCStepper.control.service.service_job import ServiceJob
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.job_phase import WAITING, Phase
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.word_pattern import words_beside
 
 
@@ -125,7 +125,7 @@ class Answer(click.ParamType):
         try:
             return value if isinstance(value, list) else read_answer(value)
         except ValueError as error:
-            self.fail(str(error), param, ctx)
+            self.fail(Text("{error}", error=error), param, ctx)
 
 
 LOOK_EVERY_S = 0.05

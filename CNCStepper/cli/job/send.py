@@ -17,11 +17,12 @@ import click
 
 from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_findings
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath, program_argument, read_program
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.send_options import SendOptions, send_options
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.processes import PROCESSES, Process
 from CNCStepper.machine.profile import Machine
 
@@ -158,10 +159,10 @@ def _letters(program: Path, given: ProgramOptions, certificate: Path | None) -> 
     from CNCStepper.job.letter_file import letter_file, letter_job, read_letter_text
 
     if certificate:
-        raise click.UsageError("pulse letters have no certificate: they are checked when they are sent")
+        raise click.UsageError(Text("pulse letters have no certificate: they are checked when they are sent"))
     _, machine = given.job_and_machine()
     if machine is None:
-        raise click.UsageError("pulse letters need --machine")
+        raise click.UsageError(Text("pulse letters need --machine"))
     text = read_letter_text(program)
     job = letter_job(text, machine, str(program))
     letters = letter_file(text, str(program))
@@ -169,7 +170,13 @@ def _letters(program: Path, given: ProgramOptions, certificate: Path | None) -> 
         f"{name.upper()}{steps / axis.steps_per_mm:+.3f}"
         for (name, axis), steps in zip(machine.own_axes.items(), letters.steps, strict=False)
     )
-    click.echo(f"{letters.pulses} pulses in {job.plan[-1][1]:.1f} s, from here to {' '.join(ends)} mm", err=True)
+    show_text(
+        "{pulses} pulses in {plan:.1f} s, from here to {ends} mm",
+        err=True,
+        pulses=letters.pulses,
+        plan=job.plan[-1][1],
+        ends=" ".join(ends),
+    )
     return driven_by(job, machine.model_dump(mode="json"), typed_machine())
 
 
@@ -197,7 +204,7 @@ def _job(
 
 def _check_pauses(by_line: bool, resume_pauses: bool) -> None:
     if by_line and resume_pauses:
-        raise click.UsageError("--step waits at each line, --resume-pauses at none: give one of them")
+        raise click.UsageError(Text("--step waits at each line, --resume-pauses at none: give one of them"))
 
 
 def _check_proof(given: ProgramOptions, is_certified: bool, unchecked: bool, despite_certificate: bool) -> None:
@@ -205,9 +212,9 @@ def _check_proof(given: ProgramOptions, is_certified: bool, unchecked: bool, des
     if not is_certified or given.job_path:
         given.check_stock()
     if despite_certificate and not is_certified:
-        raise click.UsageError("--despite-certificate goes with --certificate")
+        raise click.UsageError(Text("--despite-certificate goes with --certificate"))
     if not (is_certified or given.machine or given.job_path or unchecked):
-        raise click.UsageError("give --certificate, or --machine or --job to have it checked, or --unchecked")
+        raise click.UsageError(Text("give --certificate, or --machine or --job to have it checked, or --unchecked"))
 
 
 @dataclass(frozen=True)
@@ -269,7 +276,7 @@ def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool
     except JobError as error:
         if not despite:
             raise
-        click.echo(f"cncstepper: {error}", err=True)
+        show_text("cncstepper: {error}", err=True, error=error)
         return _uncertified(wanted, given.dialect_on(wanted.machine))
     proven = replace(wanted, start=wanted.start or proven_start(certificate))
     dialect = given.dialect_on(wanted.machine) if given.dialect else certificate.program_dialect
@@ -277,7 +284,7 @@ def _certified(path: Path, wanted: _Wanted, given: ProgramOptions, despite: bool
     if refusals and not despite:
         raise refusals[0]
     for refusal in refusals:
-        click.echo(f"cncstepper: {refusal}", err=True)
+        show_text("cncstepper: {refusal}", err=True, refusal=refusal)
     if any(refusal.code in ("certificate-program", "certificate-wire") for refusal in refusals):
         return _uncertified(wanted, dialect)
     return certificate.send_job(file=wanted.file)
@@ -405,7 +412,7 @@ def _uncertified(wanted: _Wanted, dialect: str) -> SendJob:
 def confirmed(job: SendJob, confirmed: bool) -> SendJob:
     """Return the job with the zero confirmed, by the option or by the person at the terminal."""
     if not confirmed and sys.stdin.isatty():
-        click.echo(
+        show_text(
             "Should the board restart when its port is opened, the tool must stand on the work zero, as it was set."
         )
         confirmed = click.confirm("Is the work zero set on the stock, and the way free?", default=False)
@@ -415,9 +422,14 @@ def confirmed(job: SendJob, confirmed: bool) -> SendJob:
 def conclude(outcome: Outcome) -> None:
     """Print the outcome and the machine's state; only "done" is exit status 0."""
     status = outcome.status
-    click.echo(f"{status.acknowledged} of {status.total} lines acknowledged in {status.elapsed_s:.1f} s")
+    show_text(
+        "{acknowledged} of {total} lines acknowledged in {elapsed_s:.1f} s",
+        acknowledged=status.acknowledged,
+        total=status.total,
+        elapsed_s=status.elapsed_s,
+    )
     if outcome.error:
-        click.echo(f"cncstepper: {outcome.text}", err=True)
+        show_text("cncstepper: {outcome}", err=True, outcome=outcome.text)
     else:
-        click.echo(outcome.text)
+        show_text(outcome.text)
     sys.exit(0 if outcome.done else 1)

@@ -17,6 +17,7 @@ from types import TracebackType
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.override import read_override
 from CNCStepper.cli.job.status_text import overrides_in_words
@@ -24,7 +25,7 @@ from CNCStepper.cli.machine.jog import FEED_MM_MIN, jog_line
 from CNCStepper.cli.machine.service_client import LOOK_EVERY_S, ServiceClient, ServicePort, place, port_options
 from CNCStepper.control.session.job_phase import Phase
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.errors import CNCStepperError, LinkError
+from CNCStepper.errors import CNCStepperError, LinkError, Text
 
 TOLD_EVENTS = ("message", "warning", "refused", "console")
 TOLD_PHASES = (Phase.ALARM, Phase.HELD, Phase.DOOR)
@@ -199,7 +200,7 @@ def _override(line: str) -> dict[str, str] | None:
     try:
         return read_override(line)
     except ValueError as error:
-        raise click.UsageError(str(error)) from error
+        raise click.UsageError(Text("{error}", error=error)) from error
 
 
 def _feed_mm_min(words: list[str]) -> float:
@@ -209,7 +210,7 @@ def _feed_mm_min(words: list[str]) -> float:
     except ValueError:
         feed_mm_min = 0.0
     if not 0 < feed_mm_min < MOST_MM_MIN:
-        raise click.UsageError(f"'{words[0]}' is no speed: write for example F500 (mm/min)")
+        raise click.UsageError(Text("'{words}' is no speed: write for example F500 (mm/min)", words=words[0]))
     return feed_mm_min
 
 
@@ -263,7 +264,7 @@ def _hold(talk: ServiceClient) -> None:
     with suppress(CNCStepperError):
         while talk.ask_status().machine_state not in STANDING:
             pass
-    click.echo(f"{place(talk.status)}   ~ goes on, stop ends it")
+    show_text("{status}   ~ goes on, stop ends it", status=place(talk.status))
 
 
 @contextmanager

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.errors import LinkError
 
@@ -33,7 +34,7 @@ def command(port: str | None) -> None:
 
     files = [file for file in [service_at(port)] if file] if port else running_services()
     for file in files:
-        click.echo(f"{_disconnect(file)} is disconnected")
+        show_text("{file} is disconnected", file=_disconnect(file))
     if not files:
         click.echo(f"no connection to {port} is open" if port else "no connection is open", err=True)
 

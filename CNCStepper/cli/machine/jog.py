@@ -10,6 +10,7 @@ import click
 from CNCStepper.cli.common.options import NumberType
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.machine.service_client import ServiceClient, ServicePort, place, port_options
+from CNCStepper.errors import Text
 from CNCStepper.word_pattern import WORD
 
 AXES = "XYZ"
@@ -51,7 +52,7 @@ def _axes_mm(way: tuple[str, ...]) -> dict[str, float]:
     words = [WORD.fullmatch(part) for part in way]
     axes_mm = {word[1].upper(): float(word[2]) for word in words if word}
     if len(axes_mm) < len(way) or set(axes_mm) - set(AXES):
-        raise click.UsageError(f"'{' '.join(way)}' is no way: write for example X10, or X-2.5 Y3 (mm)")
+        raise click.UsageError(Text("'{way}' is no way: write for example X10, or X-2.5 Y3 (mm)", way=" ".join(way)))
     return axes_mm
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.path_types import InputPath, OutputPath
 from CNCStepper.cli.common.verb import Verbs
 from CNCStepper.errors import CNCStepperError
@@ -52,7 +53,7 @@ def new(name: str, source: str) -> None:
 
     Change what differs with `cncstepper machine set`, or in the file itself.
     """
-    click.echo(f"{create(name, source).path}: made from {source}")
+    show_text("{path}: made from {source}", path=create(name, source).path, source=source)
 
 
 @command.command("show")
@@ -105,16 +106,19 @@ def import_(file: Path, name: str, source: str) -> None:
 def export(name: str, out: Path) -> None:
     """Write a profile to the file --out, a machine file for FreeCAD (.fcm)."""
     write_fcm(out, load_machine(name))
-    click.echo(f"{out}: {name} for FreeCAD")
+    show_text("{out}: {name} for FreeCAD", out=out, name=name)
 
 
 def say_written(written: Written) -> None:
     """Print the result of a change."""
     if written.copied_from:
-        click.echo(f"{written.copied_from} ships with the program and stays as it is; your copy takes its place")
+        show_text(
+            "{copied_from} ships with the program and stays as it is; your copy takes its place",
+            copied_from=written.copied_from,
+        )
     if not written.comments_kept:
-        click.echo("the file is written anew, in our own layout: its comments are not in it")
-    click.echo(f"{written.path}: written")
+        show_text("the file is written anew, in our own layout: its comments are not in it")
+    show_text("{path}: written", path=written.path)
 
 
 def _summary(name: str) -> str:

@@ -11,6 +11,7 @@ from typing import Any
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import NumberType
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.verb import Verbs
@@ -107,7 +108,13 @@ def pulses(axis: str, count: int, back: bool, feed: float, at: ServicePort) -> N
         length_mm = length_of_pulses_mm(bench.machine, axis, -count if back else count)
         bench.check_room(axis, min(length_mm, 0.0), max(length_mm, 0.0))
         bench.send([way(axis, length_mm, feed)])
-        click.echo(f"{axis.upper()}: {count} pulses {'back' if back else 'forward'}, {abs(length_mm):g} mm")
+        show_text(
+            "{axis}: {count} pulses {forward}, {length_mm:g} mm",
+            axis=axis.upper(),
+            count=count,
+            forward="back" if back else "forward",
+            length_mm=abs(length_mm),
+        )
 
     on_bench(at, work)
 
@@ -132,9 +139,9 @@ def relays(names: tuple[str, ...], seconds: float, at: ServicePort) -> None:
                 time.sleep(seconds)
             finally:
                 bench.send(switching(bench.machine, relay.device, False, outputs))
-            click.echo(f"{relay.name}: off")
+            show_text("{name}: off", name=relay.name)
         if not chosen:
-            click.echo(
+            show_text(
                 "this machine has no relay: [[relay]] of the profile names those of a controller that switches some"
             )
 
@@ -157,7 +164,7 @@ def inputs(seconds: float, at: ServicePort) -> None:
             status = bench.talk.ask_status()
             pins = ", ".join(f"{entry.act} ({entry.pin})" for entry in inputs_on(bench.machine, status)) or status.pins
             if pins != last:
-                click.echo(f"inputs that are on: {pins or 'none'}")
+                show_text("inputs that are on: {none}", none=pins or "none")
                 last = pins
 
     on_bench(at, work)
@@ -178,7 +185,7 @@ def square(side: float, height: float | None, feed: float, at: ServicePort) -> N
         bench.check_room("x", 0.0, side)
         bench.check_room("y", 0.0, side)
         _in_air(bench, height, feed, lambda: bench.send(lines(side, feed)))
-        click.echo(f"square of {side:g} mm at {feed:g} mm/min: done")
+        show_text("square of {side:g} mm at {feed:g} mm/min: done", side=side, feed=feed)
 
     on_bench(at, work)
 
@@ -201,7 +208,7 @@ def circle(diameter: float, height: float | None, feed: float, at: ServicePort) 
         check_no_power(modes)
         back = modes_back(modes)
         _in_air(bench, height, feed, lambda: _with_modes(bench, line(diameter, feed), back))
-        click.echo(f"circle of {diameter:g} mm at {feed:g} mm/min: done")
+        show_text("circle of {diameter:g} mm at {feed:g} mm/min: done", diameter=diameter, feed=feed)
 
     on_bench(at, work)
 
@@ -272,8 +279,12 @@ def backlash(axis: str, distance: float, repeats: int, feed: float, yes: bool, a
         from_below, from_above = Readings(tuple(shown["below"])), Readings(tuple(shown["above"]))
         play_mm = backlash_mm(from_below, from_above)
         was_mm = axis_of(bench.machine, axis).backlash_mm
-        click.echo(f"{axis.upper()}: backlash {play_mm:.4f} mm (profile: {was_mm:g} mm), standard deviations "
-                   f"{from_below.deviation_mm:.4f} and {from_above.deviation_mm:.4f} mm")  # fmt: skip
+        show_text(
+            "{axis}: backlash {play_mm:.4f} mm (profile: {was_mm:g} mm), standard deviations {below_mm:.4f} and "
+            "{above_mm:.4f} mm",
+            axis=axis.upper(), play_mm=play_mm, was_mm=was_mm,
+            below_mm=from_below.deviation_mm, above_mm=from_above.deviation_mm,
+        )  # fmt: skip
         _offer(at.machine, ("axis", axis, "backlash_mm"), round(play_mm, 4), yes)
 
     on_bench(at, work)
@@ -356,33 +367,42 @@ def _asked_length(question: str, commanded_mm: float) -> float:
 
 
 def _say_travel(axis: str, length_mm: float, readings: Readings, plot: Path | None) -> None:
-    click.echo(
-        f"{axis.upper()}: commanded {length_mm:g} mm, {len(readings.values_mm)} readings: mean "
-        f"{readings.mean_mm:.4f} mm, standard deviation {readings.deviation_mm:.4f} mm, of the mean "
-        f"{readings.mean_deviation_mm:.4f} mm, range {readings.range_mm:.4f} mm"
+    show_text(
+        "{axis}: commanded {length_mm:g} mm, {values_mm} readings: mean {mean_mm:.4f} mm, standard "
+        "deviation {deviation_mm:.4f} mm, of the mean {mean_deviation_mm:.4f} mm, range {range_mm:.4f} mm",
+        axis=axis.upper(),
+        length_mm=length_mm,
+        values_mm=len(readings.values_mm),
+        mean_mm=readings.mean_mm,
+        deviation_mm=readings.deviation_mm,
+        mean_deviation_mm=readings.mean_deviation_mm,
+        range_mm=readings.range_mm,
     )
     if plot:
         from CNCStepper.simulation.views.readings_plot import save_readings
 
         title = f"{axis.upper()}, {len(readings.values_mm)} readings of {length_mm:g} mm"
         save_readings(plot, title, length_mm, readings.values_mm, readings.mean_mm, readings.deviation_mm)
-        click.echo(f"{plot}: the readings")
+        show_text("{plot}: the readings", plot=plot)
 
 
 def _correct_steps(bench: Bench, profile: str, axis: str, length_mm: float, readings: Readings, yes: bool) -> None:
     steps = axis_of(bench.machine, axis).steps_per_mm
     if is_within_noise(length_mm, readings):
-        click.echo(f"{axis.upper()}: the commanded length is the measured one within the readings' scatter: "
-                   f"steps_per_mm {steps:g} stays")  # fmt: skip
+        show_text(
+            "{axis}: the commanded length is the measured one within the readings' scatter: "
+            "steps_per_mm {steps:g} stays",
+            axis=axis.upper(), steps=steps,
+        )  # fmt: skip
         return
     new = round(corrected_steps_per_mm(steps, length_mm, readings), 4)
-    click.echo(f"{axis.upper()}: steps_per_mm {steps:g} becomes {new:g}")
+    show_text("{axis}: steps_per_mm {steps:g} becomes {new:g}", axis=axis.upper(), steps=steps, new=new)
     if not _offer(profile, ("axis", axis, "steps_per_mm"), new, yes):
         return
     setting = f"${FIRST_SETTING + AXIS_NAMES.index(axis)}={new:.4f}"
     if yes or click.confirm(f"write {setting} to the controller too? its position is unknown afterwards"):
         bench.send([setting])
-        click.echo(f"{setting}: written; home the machine, or set its zero")
+        show_text("{setting}: written; home the machine, or set its zero", setting=setting)
 
 
 def _offer(profile: str, path: tuple[str, ...], value: float, yes: bool) -> bool:
@@ -402,6 +422,8 @@ def _say_squareness(side_x: float, side_y: float, diagonals: bool) -> None:
         deviation_deg = squareness_of_triangle(
             side_x, side_y, click.prompt("lower right to upper left in mm", type=LengthType)
         )
-    click.echo(f"the angle between X and Y is {90.0 + deviation_deg:.4f}°: {deviation_deg:+.4f}°, "
-               f"{abs(skew_mm_m(deviation_deg)):.3f} mm over a metre")  # fmt: skip
-    click.echo("no value of the profile takes that up: turn the gantry until it is 90°")
+    show_text(
+        "the angle between X and Y is {angle_deg:.4f}°: {deviation_deg:+.4f}°, {skew_mm_m:.3f} mm over a metre",
+        angle_deg=90.0 + deviation_deg, deviation_deg=deviation_deg, skew_mm_m=abs(skew_mm_m(deviation_deg)),
+    )  # fmt: skip
+    show_text("no value of the profile takes that up: turn the gantry until it is 90°")

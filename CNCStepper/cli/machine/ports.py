@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.machine.service_client import profile_option
 from CNCStepper.errors import CNCStepperError
@@ -44,7 +45,7 @@ def _list_ports() -> None:
     for choice in choices:
         click.echo(choice.text)
     if not choices:
-        click.echo("no serial port is there: plug the controller in, or give its URL (socket://HOST:PORT)", err=True)
+        show_text("no serial port is there: plug the controller in, or give its URL (socket://HOST:PORT)", err=True)
 
 
 def _ask(port: str, baud: int, profile: str) -> bool:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.path_types import InputPath, OutputPath
 from CNCStepper.cli.common.verb import Verbs
 from CNCStepper.cli.machine.machine import say_written
@@ -46,7 +47,7 @@ def backup(out: Path, at: ServicePort) -> None:
     with ServiceClient(at) as talk:
         found = _asked(talk)
     write_settings(out, found.settings, f"{found.text} at {at.name}")
-    click.echo(f"{out}: {len(found.settings)} settings of {found.text}")
+    show_text("{out}: {settings} settings of {text}", out=out, settings=len(found.settings), text=found.text)
 
 
 @command.command("compare")
@@ -61,7 +62,7 @@ def compare(other: str, is_all: bool, at: ServicePort) -> None:
     for row in rows:
         if is_all or row.differs:
             click.echo(_row(row))
-    click.echo(f"{sum(row.differs for row in rows)} of {len(rows)} settings differ")
+    show_text("{rows} of {all_rows} settings differ", rows=sum(row.differs for row in rows), all_rows=len(rows))
 
 
 @command.command("restore")
@@ -83,12 +84,12 @@ def restore(other: str, yes: bool, at: ServicePort) -> None:
             if row.differs:
                 click.echo(_row(row))
         if not lines or not (yes or click.confirm(f"write these {len(lines)} settings to {at.name}?")):
-            click.echo("nothing was written")
+            show_text("nothing was written")
             return
         for done, line in enumerate(lines):
             check_answer(lines, done, talk.type(line))
         check_restored(_asked(talk).settings, lines, wanted)
-    click.echo(f"{len(lines)} settings written and read back")
+    show_text("{lines} settings written and read back", lines=len(lines))
 
 
 @command.command("profile")

@@ -11,6 +11,7 @@ import click
 
 from CNCStepper.cli.common.options import FilePath
 from CNCStepper.cli.common.path_types import InputPath, OutputPath
+from CNCStepper.errors import Text
 
 if TYPE_CHECKING:
     from CNCStepper.virtual.server.pin_presses import Pressable
@@ -63,7 +64,7 @@ def pin_options(function: Any) -> Any:
 def check_address(pty: Path | str | None, tcp: str | None) -> None:
     """Refuse a server without an address, and one with two."""
     if bool(pty) == bool(tcp):
-        raise click.UsageError("give either --pty PATH or --tcp HOST:PORT")
+        raise click.UsageError(Text("give either --pty PATH or --tcp HOST:PORT"))
 
 
 def _with(function: Any, options: Iterable[Callable[[Any], Any]]) -> Any:

@@ -19,6 +19,7 @@ import click
 
 from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_figures, show_findings, write_report
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.lathe_options import LatheOptions, lathe_options, show_x_of_file
 from CNCStepper.cli.common.option_hints import add_conversion, show_hints
 from CNCStepper.cli.common.options import program_argument, read_program
@@ -27,7 +28,7 @@ from CNCStepper.cli.common.program_options import ProgramOptions, program_option
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import job_of
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.input_file import MB
 from CNCStepper.machine.profile import Machine
 
@@ -160,8 +161,14 @@ def _conclude(proof: Proof | FileProof, program: Path, json_path: Path | None, c
 
         certificate_of(proof).sending(made_with=reproduce_options()).write(certificate)
     show_figures(proof.report)
-    verdict = "refused" if proof.refused else "clean"
-    click.echo(f"{program}: {verdict}; {proof.report['blocks']} blocks that move, {proof.report['time_s']:.1f} s")
+    verdict = Text("refused") if proof.refused else Text("clean")
+    show_text(
+        "{program}: {verdict}; {blocks} blocks that move, {time_s:.1f} s",
+        program=program,
+        verdict=verdict,
+        blocks=proof.report["blocks"],
+        time_s=proof.report["time_s"],
+    )
     sys.exit(1 if proof.refused else 0)
 
 
@@ -210,7 +217,7 @@ def _end_unread(refused: list[ProgramError], program: Path) -> NoReturn:
     """End the command with status 1 and the reason."""
     for error in refused:
         click.echo(str(error))
-    click.echo(f"{program}: refused; it cannot be read")
+    show_text("{program}: refused; it cannot be read", program=program)
     add_conversion(refused[0], click.get_current_context())
     show_hints(refused)
     sys.exit(1)
@@ -223,9 +230,11 @@ def prior_parts(job: Job, machine: Machine, part: int | None) -> list[Proof]:
 
     if not is_split(job, machine):
         if part is not None:
-            raise click.UsageError("--part goes with a job that is split into a program a tool")
+            raise click.UsageError(Text("--part goes with a job that is split into a program a tool"))
         return []
     parts = make_parts(job, machine)
     if part is None or part > len(parts):
-        raise click.UsageError(f"the job is split into {len(parts)} programs: say with --part which of them this is")
+        raise click.UsageError(
+            Text("the job is split into {parts} programs: say with --part which of them this is", parts=len(parts))
+        )
     return list(prove_parts(job, machine, parts[: part - 1], Path()))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import job_option, stock_of
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.verb import Verb
@@ -41,7 +42,7 @@ def command(opened: Opened, out: Path, process: str, material: str, job_path: Pa
     facts = tuple(_facts(opened, toolpath, process, material, job))
     out.parent.mkdir(parents=True, exist_ok=True)
     save_sheet(out, Sheet(opened.path.name, facts, opened.text, toolpath, stock, limits))
-    click.echo(f"{out}: written")
+    show_text("{out}: written", out=out)
 
 
 def _facts(opened: Opened, toolpath: Toolpath, process: str, material: str, job: Job | None):

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save, show_figures, show_findings, write_report
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath, ReproduceOptions, plain_options
 from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
@@ -55,7 +56,7 @@ def command(job: Path, out: Path) -> None:
         sys.exit(1 if run_turning(job, out) else 0)
     loaded, machine = job_and_machine(job)
     for sentence in long_work(loaded):
-        click.echo(f"cncstepper: {sentence}; Ctrl+C ends it", err=True)
+        show_text("cncstepper: {sentence}; Ctrl+C ends it", err=True, sentence=sentence)
     out.mkdir(parents=True, exist_ok=True)
     make = _split if is_split(loaded, machine) else _whole
     sys.exit(1 if make(loaded, machine, job, out) else 0)
@@ -111,4 +112,11 @@ def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_
     show_findings(proof.findings)
     show_figures(proof.report)
     blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
-    click.echo(f"{file}: {blocks} blocks that move, {minutes:.1f} min; {report}; {picture}")
+    show_text(
+        "{file}: {blocks} blocks that move, {minutes:.1f} min; {report}; {picture}",
+        file=file,
+        blocks=blocks,
+        minutes=minutes,
+        report=report,
+        picture=picture,
+    )

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import click
-
 from CNCStepper.cli.common.findings_output import save, show_figures, show_findings, write_report
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.output_files import MADE_BY
 
@@ -35,11 +34,18 @@ def run_turning(path: Path, out: Path) -> bool:
         show_findings(proof.findings)
         show_figures(proof.report)
         blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
-        click.echo(f"{file}: {blocks} blocks that move, {minutes:.1f} min; {told}; {picture}")
+        show_text(
+            "{file}: {blocks} blocks that move, {minutes:.1f} min; {told}; {picture}",
+            file=file,
+            blocks=blocks,
+            minutes=minutes,
+            told=told,
+            picture=picture,
+        )
         proofs.append(proven)
     if len(proofs) > 1:
         report = whole_report(proofs)
         write_report(out / "report.json", report)
         proofs[-1].verdict.draw(out / "part.png", path.stem, f"{report['time_s'] / 60:.1f} min")
-        click.echo(f"the finished part: {out / 'report.json'}; {out / 'part.png'}")
+        show_text("the finished part: {json}; {png}", json=out / "report.json", png=out / "part.png")
     return any(proven.proof.refused for proven in proofs)

@@ -13,11 +13,13 @@ import click
 import numpy as np
 
 from CNCStepper.cli.common.findings_output import show_findings, write_report
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.lathe_options import LatheOptions, lathe_options, show_x
 from CNCStepper.cli.common.options import NumberType, program_argument, read_program
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.machine.tools.tool import Tool
 
@@ -77,16 +79,16 @@ def command(
 
     if lathe.turns(given):
         if view or (at_s is not None and line is not None):
-            raise click.UsageError("a turned part is drawn as its half section, at one moment: leave --view out")
+            raise click.UsageError(Text("a turned part is drawn as its half section, at one moment: leave --view out"))
         turned = _Turned(program, given, lathe)
         if stl:
             turned.save_stl(stl, at_s, line)
         turned.conclude(out, at_s, line, read_at_mm, json_path)
     given.check_stock(required=True)
     if read_at_mm:
-        raise click.UsageError("--read-at is for a turned part: give --bar")
+        raise click.UsageError(Text("--read-at is for a turned part: give --bar"))
     if at_s is not None and line is not None:
-        raise click.UsageError("give either --at or --line")
+        raise click.UsageError(Text("give either --at or --line"))
     job, named = given.job_and_machine()
     machine = named or load_machine("table-a")
     text = read_program(program)
@@ -141,9 +143,19 @@ class _Turned:
         show_findings(self._proof.findings)
         for z_mm in read_at_mm:
             outer_mm, bore_mm = self._verdict.dimension_at(z_mm)
-            click.echo(f"Z{z_mm:g}: diameter {outer_mm:.4f} mm, bore {bore_mm:.4f} mm")
+            show_text(
+                "Z{z_mm:g}: diameter {outer_mm:.4f} mm, bore {bore_mm:.4f} mm",
+                z_mm=z_mm,
+                outer_mm=outer_mm,
+                bore_mm=bore_mm,
+            )
         removed = self._proof.report["removed_volume_mm3"] / 1000
-        click.echo(f"{out}: {removed:.1f} cm³ removed in {self._proof.report['time_s']:.1f} s")
+        show_text(
+            "{out}: {removed:.1f} cm³ removed in {time_s:.1f} s",
+            out=out,
+            removed=removed,
+            time_s=self._proof.report["time_s"],
+        )
         sys.exit(1 if self._proof.refused else 0)
 
     def save_stl(self, path: Path, at_s: float | None, line: int | None) -> None:
@@ -191,7 +203,7 @@ class _Show:
 
         if is_movie(out):
             if view is None:
-                raise click.UsageError("an animation needs --view")
+                raise click.UsageError(Text("an animation needs --view"))
             save_animation(out, view, self._frames(time_s), self._title)
             return
         if time_s is not None:

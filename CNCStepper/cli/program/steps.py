@@ -23,6 +23,7 @@ from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.streamed_program import program_chunks
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 from CNCStepper.machine.profile import Machine
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def command(
     time; digital outputs have no letter, and no device has a board byte or coils.
     """
     if coils and form != "coils":
-        raise click.UsageError("--coils belongs to --as coils")
+        raise click.UsageError(Text("--coils belongs to --as coils"))
     with Progress(f"stepping {program.name}") as progress:
         if every_ms is not None:
             stream = _letters(program, every_ms, from_s, back or from_s is not None)
@@ -112,7 +113,7 @@ def _planned(
     start, play = given.on(Start.at_zero()), Backlash.of(machine)
     if back or from_s is not None:
         if machine.interpolation != "planner":
-            raise click.UsageError("--back is by the planner: the profile's interpolation is another")
+            raise click.UsageError(Text("--back is by the planner: the profile's interpolation is another"))
         path = interpret(read_program(program), start, language, str(program))
         path = motor_moves(require_straight_axes(path, str(program)), play)
         return ReversePulses(path, machine).stream(None if from_s is None else max(0, round(from_s * TICKS_PER_S)))

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import machine_option
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.running_job import session_file, session_option
-from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.errors import CNCStepperError, JobError, Text
 from CNCStepper.machine.profile import Machine
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ def command(
     """
     requests = [distance_mm is not None, line is not None, entry, forward_mm is not None, resume]
     if sum(requests) > 1:
-        raise click.UsageError("give one of --distance, --line, --entry, --forward and --resume")
+        raise click.UsageError(Text("give one of --distance, --line, --entry, --forward and --resume"))
     from CNCStepper.control.service.connection_session import attach
     from CNCStepper.control.session.job_phase import Phase
     from CNCStepper.recovery.retract.retract_client import RetractClient
@@ -115,13 +116,13 @@ def _go(back: RetractClient, held: HeldProgram, target: Place) -> None:
 
 def _resume(back: RetractClient) -> None:
     back.go(back.held().rest())
-    click.echo("the job goes on from here")
+    show_text("the job goes on from here")
 
 
 def _show(status: SenderStatus, held: HeldProgram) -> None:
     """Print where the tool is: the line that moves there, and the work position."""
     place = " ".join(f"{axis}{value:.3f}" for axis, value in zip("XYZ", status.wpos_mm or (), strict=False))
-    click.echo(f"{status.phase}: line {held.file_line(held.place)}  {place}")
+    show_text("{phase}: line {line}  {place}", phase=status.phase, line=held.file_line(held.place), place=place)
 
 
 class _Dialogue:
@@ -145,7 +146,7 @@ class _Dialogue:
             except CNCStepperError as error:
                 if error.code == "session-ended":
                     raise
-                click.echo(f"cncstepper: {error}", err=True)
+                show_text("cncstepper: {error}", err=True, error=error)
 
     def _over(self, stand: int, word: str) -> bool:
         """Return whether an answer that moves the machine belongs to a pause that is over, and print that."""

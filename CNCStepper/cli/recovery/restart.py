@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save, show_findings
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import NumberType, PointType, program_argument, read_program, reproduce_options
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
@@ -23,7 +24,7 @@ from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.send_options import SendOptions, send_options
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.send import LETTERS
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool import Tool
 
@@ -115,7 +116,7 @@ class _Against:
         """Return the inputs that the options name; raises a usage error where they name no machine."""
         job, machine = given.job_and_machine()
         if machine is None:
-            raise click.UsageError("give --machine, or --job whose machine counts")
+            raise click.UsageError(Text("give --machine, or --job whose machine counts"))
         start, dialect = given.start_options.start(), given.dialect_on(machine)
         return cls(machine, dialect, start, given.stock, given.tool, job)
 
@@ -180,7 +181,7 @@ def command(
     certificate = certificate_of_restart(proven).sending(made_with=reproduce_options())
     _write(proven, certificate, output)
     if proven.proof.refused:
-        click.echo(f"{program}: this restart is refused")
+        show_text("{program}: this restart is refused", program=program)
         sys.exit(1)
     if output.port:
         _send(certificate, output.port, sending)
@@ -199,10 +200,10 @@ def _check_not_letters(program: Path) -> None:
 def _check_stock(against: _Against, output: RestartOutput) -> None:
     """Refuse to send a restart cut on no stock without --without-stock, and both together; raises a usage error."""
     if output.without_stock and against.has_stock:
-        raise click.UsageError("--without-stock goes without --job, --stock and --tool")
+        raise click.UsageError(Text("--without-stock goes without --job, --stock and --tool"))
     if output.port and not (against.has_stock or output.without_stock):
         raise click.UsageError(
-            "give --job, or --stock and --tool, to have it cut on what is left of the stock first; or --without-stock"
+            Text("give --job, or --stock and --tool, to have it cut on what is left of the stock; or --without-stock")
         )
 
 
@@ -213,10 +214,10 @@ def _list(text: str, program: Path, against: _Against) -> None:
 
     start = against.job.started(against.start, against.machine) if against.job else against.start
     interrupted = read_on_machine(text, against.machine, against.dialect, start, str(program))
-    click.echo("contour   line   operation             begins at                        length")
+    show_text("contour   line   operation             begins at                        length")
     for number, line, operation, place, length_mm in contour_table(interrupted):
         click.echo(f"{number:7} {line:6}   {operation:20}  {place:32} {length_mm:.1f} mm")
-    click.echo("name one with --contour, or give --line, --operation or --at")
+    show_text("name one with --contour, or give --line, --operation or --at")
 
 
 def _proven(
@@ -243,18 +244,18 @@ def _tell(proven: ProvenRestart, against: _Against) -> None:
     for sentence in words_of(proven.restart):
         click.echo(sentence)
     click.echo(proven_against(against.has_stock, against.job is not None))
-    click.echo(f"takes {proven.proof.report['time_s']:.1f} s")
+    show_text("takes {time_s:.1f} s", time_s=proven.proof.report["time_s"])
 
 
 def _write(proven: ProvenRestart, certificate: Certificate, output: RestartOutput) -> None:
     """Write program and certificate where they are wanted; the certificate names the program."""
     if output.out:
         save(output.out, proven.restart.text.encode("utf-8"))
-        click.echo(f"{output.out}: written{_language_note(proven)}")
+        show_text("{out}: written{proven}", out=output.out, proven=_language_note(proven))
     if output.certificate:
         output.certificate.parent.mkdir(parents=True, exist_ok=True)
         certificate.write(output.certificate)
-        click.echo(f"{output.certificate}: written")
+        show_text("{certificate}: written", certificate=output.certificate)
 
 
 def _language_note(proven: ProvenRestart) -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath, read_program
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.errors import ProgramError
@@ -44,7 +45,7 @@ def command(journal: Path | None, is_list: bool) -> None:
         return
     story = _story(journal)
     if story is None:
-        click.echo("no job is unfinished: every one whose journal is kept was cut to its end")
+        show_text("no job is unfinished: every one whose journal is kept was cut to its end")
         return
     check_ended(story)
     for name, text in _told(story):

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.findings_output import save, show_findings
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import (
     FilePath,
     NumberType,
@@ -20,6 +21,7 @@ from CNCStepper.cli.common.options import (
 )
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 from CNCStepper.quantities import QUANTITIES
 
 if TYPE_CHECKING:
@@ -42,7 +44,7 @@ class _Numbers(click.ParamType):
         except ValueError:
             numbers = ()
         if len(numbers) not in self._counts or not all(self._least <= number <= MOST_MM for number in numbers):
-            self.fail(f"'{value}' is not {self.name}", param, ctx)
+            self.fail(Text("'{value}' is not {name}", value=value, name=self.name), param, ctx)
         return numbers
 
 
@@ -89,18 +91,18 @@ def command(
 
     language = dialect_name(dialect, machine)
     if sum(map(bool, (at, grid, sheet))) > 1:
-        raise click.UsageError("give one of --at, --grid and --sheet")
+        raise click.UsageError(Text("give one of --at, --grid and --sheet"))
     read = _programs(programs, count, grid, language, diameter_mm / 2.0)
     copies = _copies(read, at, grid, sheet, gap_mm, turn)
     text, errors = arranged_and_checked(read, copies, language, str(out), machine, allow_overlap)
     if errors:
         show_findings(errors)
-        click.echo(f"{out}: not written; the arranged program would be refused", err=True)
+        show_text("{out}: not written; the arranged program would be refused", err=True, out=out)
         sys.exit(1)
     save(out, text.encode("utf-8"))
     for copy in copies:
         click.echo(copy.title)
-    click.echo(f"{out}: {len(copies)} copies of {len(read)} programs")
+    show_text("{out}: {copies} copies of {read} programs", out=out, copies=len(copies), read=len(read))
 
 
 def _programs(
@@ -110,7 +112,7 @@ def _programs(
     from CNCStepper.job.editing.arrangement import program_of
 
     if len(count) not in (0, 1, len(paths)):
-        raise click.UsageError("give --count once, or once for each program")
+        raise click.UsageError(Text("give --count once, or once for each program"))
     whole = int(grid[0] * grid[1]) if grid and len(paths) == 1 and not count else 1
     counts = count * len(paths) if len(count) == 1 else count or (whole,) * len(paths)
     texts = [decoded(program_bytes(path))[0] for path in paths]
@@ -136,5 +138,7 @@ def _copies(
         return on_sheet(programs, (sheet[0], sheet[1]), gap_mm, (0.0, 90.0, 180.0, 270.0) if turn else (0.0,))
     total = sum(program.count for program in programs)
     if grid and total > grid[0] * grid[1]:
-        raise click.UsageError(f"{total} copies do not fit into a grid of {grid[0] * grid[1]:g}")
+        raise click.UsageError(
+            Text("{total} copies do not fit into a grid of {grid:g}", total=total, grid=grid[0] * grid[1])
+        )
     return in_grid(programs, int(grid[0]) if grid else total, gap_mm)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
@@ -120,7 +121,15 @@ def _tell(result: BatchResult) -> None:
         click.echo(f"   {sentence}", err=True)
     total = total_figures(result)
     cost = "" if total.cost is None else f", {total.cost:.2f} {total.currency}".rstrip()
-    click.echo(
-        f"{total.parts} parts on {total.sheets:g} sheets, {total.metres:.1f} m, {total.pierces:.0f} pierces, "
-        f"{total.hours:.2f} h{cost}; {result.done} tasks done, {result.found} found done"
+    show_text(
+        "{parts} parts on {sheets:g} sheets, {metres:.1f} m, {pierces:.0f} pierces, {hours:.2f} h{cost}; "
+        "{done} tasks done, {found} found done",
+        parts=total.parts,
+        sheets=total.sheets,
+        metres=total.metres,
+        pierces=total.pierces,
+        hours=total.hours,
+        cost=cost,
+        done=result.done,
+        found=result.found,
     )

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
@@ -58,11 +59,16 @@ def command(order: Path, time_s: float, out: Path, seed: int, common_lines: bool
         budget = Budget(time_s, progress=progress.share)
         packer = None if no_spyrrow else strip_packer()
         if packer is None and not no_spyrrow:
-            click.echo(
+            show_text(
                 "   note: spyrrow is not installed; our own search alone is slower: pip install spyrrow", err=True
             )
         with _stopped_by_ctrl_c(budget):
-            click.echo(f"nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far", err=True)
+            show_text(
+                "nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far",
+                err=True,
+                parts=parts,
+                time_s=time_s,
+            )
             layout = nest(read.items, read.sheets, read.spacing, budget, packer, seed, read.common_lines)
     shared = shared_cuts(read, layout)
     for path in write_nest(read, layout, out, shared):
@@ -92,13 +98,15 @@ def _stopped_by_ctrl_c(budget: Budget) -> Iterator[None]:
 
 def _tell_saving(saving: Saving) -> None:
     for note in saving.notes:
-        click.echo(f"   note: {note}", err=True)
+        show_text("   note: {note}", err=True, note=note)
     click.echo(saving.sentence)
 
 
 def _tell(order: Order, layout: Layout) -> None:
     for unplaced in layout.unplaced:
         name = order.items[unplaced.item].name
-        click.echo(f"   not placed: {unplaced.count} of {name}: {unplaced.why}", err=True)
+        show_text(
+            "   not placed: {count} of {name}: {why}", err=True, count=unplaced.count, name=name, why=unplaced.why
+        )
     kind = "a strip" if order.strip_height_mm else f"{len(layout.sheets)} sheets of {len(order.sheets)}"
-    click.echo(f"{len(layout.placements)} parts on {kind}")
+    show_text("{placements} parts on {kind}", placements=len(layout.placements), kind=kind)

@@ -10,11 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.sheets.arrange import SizeType
+from CNCStepper.errors import Text
 
 if TYPE_CHECKING:
     from CNCStepper.job.slicing.solid_slices import Stack
@@ -90,7 +92,7 @@ def command(
     from CNCStepper.job.slicing.solid_slices import stack_of
 
     if scale != 1.0 and solid.suffix.casefold() in SOLIDS:
-        raise click.UsageError(f"--scale is for STL; {solid.name} says its unit itself")
+        raise click.UsageError(Text("--scale is for STL; {name} says its unit itself", name=solid.name))
     names = tuple(filter(None, (part.strip() for part in parts.split(",")))) or ("part",)
     shop = _template(template, machine)
     size_mm = (sheet[0], sheet[1]) if sheet else None
@@ -100,10 +102,16 @@ def command(
     with Progress("slicing"):
         stack = stack_of(sections_of(solid, axis.lower(), thickness_mm, scale), names, hole_mm)
     for note in stack.notes:
-        click.echo(f"   note: {note}", err=True)
+        show_text("   note: {note}", err=True, note=note)
     paths = write_stack(stack, out, f"{solid.stem}, axis {axis.upper()}")
     share = stack.volume_mm3 / stack.solid_volume_mm3 - 1.0
-    click.echo(f"{paths[0].parent}: {len(stack.slices)} sheets, {stack.volume_mm3:.6g} mm3, {share:+.3%} of the solid")
+    show_text(
+        "{parent}: {slices} sheets, {volume_mm3:.6g} mm3, {share:+.3%} of the solid",
+        parent=paths[0].parent,
+        slices=len(stack.slices),
+        volume_mm3=stack.volume_mm3,
+        share=share,
+    )
     if size_mm is None:
         return
     layout = _nest(stack, size_mm, gap_mm, margin_mm, time_s, out)
@@ -117,7 +125,7 @@ def _template(path: Path | None, machine: str) -> Template | None:
     from CNCStepper.job.templates.template import read_template
 
     if path is None and machine:
-        raise click.UsageError("--machine needs --template: a template says how the sheets are cut")
+        raise click.UsageError(Text("--machine needs --template: a template says how the sheets are cut"))
     return with_machine(read_template(path), machine) if path else None
 
 
@@ -131,8 +139,14 @@ def _nest(
         nested = nest_stack(nest_order(stack, size_mm, gap_mm, margin_mm), time_s, out, progress.share)
     layout = nested.layout
     for why in nested.unplaced:
-        click.echo(f"   not placed: {why}", err=True)
-    click.echo(f"{len(layout.placements)} pieces on {len(layout.sheets)} sheets of {size_mm[0]:g} x {size_mm[1]:g} mm")
+        show_text("   not placed: {why}", err=True, why=why)
+    show_text(
+        "{placements} pieces on {sheets} sheets of {size_mm:g} x {size_mm2:g} mm",
+        placements=len(layout.placements),
+        sheets=len(layout.sheets),
+        size_mm=size_mm[0],
+        size_mm2=size_mm[1],
+    )
     return layout
 
 
@@ -147,7 +161,12 @@ def _make(template: Template, out: Path, numbers: Sequence[int], thickness_mm: f
             progress.share(len(made) / len(numbers))
     for each in made:
         for why in (*each.refused, *([str(each.error)] if each.error else [])):
-            click.echo(f"   sheet {each.number}: {why}", err=True)
+            show_text("   sheet {number}: {why}", err=True, number=each.number, why=why)
     sound = [each for each in made if each.is_sound]
-    click.echo(f"{len(sound)} of {len(made)} programs, {sum(each.time_s for each in sound) / 60.0:.1f} min")
+    show_text(
+        "{sound} of {made} programs, {sound2:.1f} min",
+        sound=len(sound),
+        made=len(made),
+        sound2=sum(each.time_s for each in sound) / 60.0,
+    )
     return len(sound) == len(made)

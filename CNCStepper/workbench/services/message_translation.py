@@ -14,7 +14,6 @@ import functools
 import json
 import re
 import xml.etree.ElementTree as ET
-from typing import Any
 
 from CNCStepper.errors import Text
 from CNCStepper.workbench import packages
@@ -37,20 +36,8 @@ def translated(text: str) -> str:
     Values that are texts are translated too. What the catalogue does not know stays English, and so do names.
     """
     if isinstance(text, Text):
-        return _formatted(text)
+        return text.translated(_look_up)
     return _outcome(text) or _said(text) or text
-
-
-def _formatted(text: Text) -> str:
-    """Return the translated template with the values; a str among them is looked up whole."""
-    values = {name: _value(value) for name, value in text.values.items()}
-    return _look_up(text.template).format_map(values)
-
-
-def _value(value: Any) -> Any:
-    if isinstance(value, Text):
-        return _formatted(value)
-    return _look_up(value) if isinstance(value, str) and value else value
 
 
 def make_ready() -> None:
