@@ -106,7 +106,8 @@ def sheet_drawing(order: Order, layout: Layout, number: int, cuts: CommonCuts | 
     """Return the drawing of a sheet: its rim, and the chains of its parts; cuts: what the parts share."""
     cuts, lie = cuts or CommonCuts(), on_sheet(layout, number)
     rim = _rings(used_outline(order, layout, number))
-    return Drawing((*rim, *part_chains(order, lie, cuts), *block_chains(order, lie, cuts)))
+    chains = (*rim, *part_chains(order, lie, cuts), *block_chains(order, lie, cuts))
+    return Drawing(chains, kerf_mm=order.kerf_mm if cuts.blocks else None)
 
 
 def remnant_drawing(remnant: Polygon) -> Drawing:
