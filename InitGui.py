@@ -4,6 +4,7 @@
 It runs inside a function of FreeCAD's: a class here does not see this file's own imports.
 """
 
+import FreeCAD
 import FreeCADGui
 
 
@@ -37,3 +38,4 @@ FreeCADGui.addWorkbench(CNCStepperWorkbench())
 CNCStepperWorkbench.viewproviders.register()
 FreeCADGui.addLanguagePath(str(CNCStepperWorkbench.packages.ROOT / "resources" / "translations"))
 FreeCADGui.updateLocale()  # FreeCAD chose its language before it knew this folder
+FreeCAD.__unit_test__ += ["CNCStepper.workbench.unit_tests.test_gui"]

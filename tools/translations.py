@@ -66,7 +66,8 @@ NO_SENTENCES = {
     "readings_plot.py",
     "path_commands.py",
     "message_translation.py",
-}  # labels in pictures; what puts these together
+    "macro_recorder.py",
+}  # labels in pictures; what puts these together; lines of Python
 DECLARATIONS = re.compile(r"/(cycles/(.*_parameters|parameter)|job/shape_forms/text_parameters)\.py$")
 MARKED = {"tr", "later", "QT_TRANSLATE_NOOP"}
 # lines of grbl, code, styles, names, pieces, and the calls of `gcode/interpreter/canonical_trace.py`
@@ -77,7 +78,7 @@ SHOWN_BY = {
     "setText", "setToolTip", "setWindowTitle", "setTitle", "setPlaceholderText", "setStatusTip", "setWhatsThis",
     "setSuffix", "setPrefix", "setInformativeText", "setDetailedText", "setLabelText", "setSpecialValueText",
     "addItem", "addItems", "insertItem", "addTab", "addRow", "addAction", "addMenu", "showMessage", "setTabText",
-    "setHeaderLabels", "setHorizontalHeaderLabels", "addButton", "setFormat", "openTransaction", "QLabel",
+    "setHeaderLabels", "setHorizontalHeaderLabels", "addButton", "setFormat", "undo_step", "QLabel",
     "QPushButton", "QToolButton", "QCheckBox", "QRadioButton", "QGroupBox", "QAction", "QMenu", "QDockWidget",
 }  # fmt: skip
 FIELD = re.compile(r"\{[^{}]*\}")

@@ -22,7 +22,7 @@ from CNCStepper.quantities import MOST_ITEMS
 
 HEADING = re.compile(r"\W*x[^,;\t]*[,;\t]\W*y[^,;\t]*$", re.IGNORECASE)
 LONGEST_HEADING = 200
-NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
+NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?", re.IGNORECASE | re.ASCII)
 
 
 def read_points(path: Path, closed: bool = False) -> Curve:

@@ -25,6 +25,7 @@ from CNCStepper.geometry.curve_columns import Segments, complex_of
 from CNCStepper.tolerances import COINCIDENT_MM, JOINED_ENDS_MM
 
 NEAR_MM = 1.0
+MEASURED = 16_384  # pieces that are measured at once
 MOST_PAIRS = 2_000_000  # of ends that lie close together
 
 
@@ -65,6 +66,8 @@ def joined_bundle(
     lengths_mm, closed = _measures(pieces)
     long = lengths_mm > same_mm
     loose = np.flatnonzero(long & ~closed)
+    if not len(loose):
+        return pieces.where(long), np.flatnonzero(long), ()
     partner = _partners(_ends_of(pieces, loose), same_mm)
     walks = [[2 * number] for number in np.flatnonzero(long & closed).tolist()]
     snapped = [False] * len(walks)  # a closed piece stays as it is
@@ -79,7 +82,14 @@ def joined_bundle(
 
 
 def _measures(pieces: Bundle) -> tuple[np.ndarray, np.ndarray]:
-    """Return how long each piece is and whether it is closed, of all pieces at once."""
+    """Return how long each piece is and whether it is closed."""
+    found = [_measured(block) for block in pieces.blocks(MEASURED)]
+    lengths_mm, closed = zip(*found, strict=True) if found else ([np.empty(0)], [np.empty(0, bool)])
+    return np.concatenate(lengths_mm), np.concatenate(closed)
+
+
+def _measured(pieces: Bundle) -> tuple[np.ndarray, np.ndarray]:
+    """Return what `_measures` does, of all pieces at once."""
     last = np.cumsum(pieces.counts + 1) - 1  # the last vertex of each piece
     vertices = complex_of(pieces.xy)
     chords_mm = np.delete(np.abs(np.diff(vertices)), last[:-1])

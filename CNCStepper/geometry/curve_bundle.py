@@ -9,7 +9,7 @@ counts  int64[c]            how many segments each chain has
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -53,10 +53,22 @@ class Bundle(NamedTuple):
 
     def taken(self, rows: np.ndarray) -> Bundle:
         """Return the chains of these numbers, int64[k], in their order."""
+        if np.array_equal(rows, np.arange(len(self.counts))):
+            return self
         counts = self.counts[rows]
         return Bundle(
             self.xy[runs(self.first[rows] + rows, counts + 1)], self.bulge[runs(self.first[rows], counts)], counts
         )
+
+    def blocks(self, most: int) -> Iterator[Bundle]:
+        """Yield the chains in bundles of at most so many, which share the columns."""
+        first = self.first
+        for begin in range(0, len(self.counts), most):
+            counts = self.counts[begin : begin + most]
+            segment, segments, vertex = int(first[begin]), int(counts.sum()), int(first[begin]) + begin
+            yield Bundle(
+                self.xy[vertex : vertex + segments + len(counts)], self.bulge[segment : segment + segments], counts
+            )
 
     def curves(self) -> list[Curve]:
         """Return the chains as curves; raises GeometryError where a coordinate is no length in mm."""

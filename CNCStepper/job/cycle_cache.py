@@ -11,6 +11,7 @@ import math
 from typing import Any
 
 from CNCStepper.cycles.cycle import Answer, Cycle, Setup
+from CNCStepper.machine.profile import Machine
 from CNCStepper.state import Start
 from CNCStepper.toolpath import TableBuilder, Toolpath
 
@@ -35,6 +36,12 @@ class CycleCache:
     def fits(self, cycle: Any, setup: Setup) -> bool:
         """Return whether this is the cut of `cycle` with `setup`."""
         return (self.model, self.setup) == (cycle, setup)
+
+    def time_s(self, machine: Machine) -> float:
+        """Return the planned time of the moves alone, s: without the way to them and the tool change."""
+        from CNCStepper.motion.planner.plan import begun, duration_s  # its kernels load late
+
+        return duration_s(begun(self._moves), machine)
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the moves to `table` and return the answer, as the cycle itself would.

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cut charts: for process, material, thickness and consumable the feed, kerf, pierce and power that cut it.
 
-    [[cut]]                                rows of a chart in TOML; charts ship in machine/charts/
+    [[cut]]                                rows of a chart in TOML; charts ship in machine/charts/; the
+                                           user's own, CONFIG/cncstepper/charts/PROCESS.toml, take their place
     process = "plasma"
     material = "mild-steel"
     consumable = "45A"
@@ -16,15 +17,16 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 from importlib import resources
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import JobError, Place, Text
+from CNCStepper.errors import JobError, MissingPackage, Place, Text
 from CNCStepper.machine.cut_data import CutData, between
+from CNCStepper.machine.files.profile_files import config_folder
 from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.machine.files.toml_text import value_text
 from CNCStepper.machine.processes import PROCESSES, process_named
@@ -44,7 +46,16 @@ MATERIAL_ALIASES = {
     "styrofoam": "xps",
 }
 
-__all__ = ["CutData", "cut_data_for", "material_key", "read_chart", "shipped_chart", "write_chart"]
+__all__ = [
+    "CutData",
+    "cut_data_for",
+    "known_chart",
+    "material_key",
+    "own_chart_path",
+    "read_chart",
+    "shipped_chart",
+    "write_chart",
+]
 
 
 def cut_data_for(
@@ -52,10 +63,10 @@ def cut_data_for(
 ) -> CutData:
     """Return the row that cuts a thickness of a material, interpolated between two rows where it lies between them.
 
-    chart: rows of the shop's own; without it the shipped ones. Without `consumable` the first one of the chart that
+    chart: rows of the shop's own; without it those of `known_chart`. Without `consumable` the chart's first one that
     covers the thickness is taken. Raises JobError for a process, material, consumable or thickness that is not covered.
     """
-    rows = _of_process(process, shipped_chart(process) if chart is None else chart)
+    rows = _of_process(process, known_chart(process) if chart is None else chart)
     of_material = [row for row in rows if material_key(row.material) == material_key(material)]
     if not of_material:
         names = ", ".join(dict.fromkeys(row.material for row in rows))
@@ -89,6 +100,27 @@ def shipped_chart(process: str) -> tuple[CutData, ...]:
         )
     entry = resources.files("CNCStepper.machine") / "charts" / f"{process}.toml"
     return tuple(_rows(tomllib.loads(entry.read_text("utf-8")), f"{process}.toml"))
+
+
+def known_chart(process: str) -> tuple[CutData, ...]:
+    """Return the rows of the user's own chart of a process, else the ones that ship; raises JobError."""
+    shipped = shipped_chart(process)
+    try:
+        path = own_chart_path(process)
+        stamp = path.stat()
+    except (OSError, MissingPackage):  # a user without a folder has none of his own
+        return shipped
+    return _read_own(path, (stamp.st_mtime_ns, stamp.st_size))
+
+
+def own_chart_path(process: str) -> Path:
+    """Return the file of the user's chart of a process, which need not be there; raises MissingPackage."""
+    return config_folder() / "charts" / f"{process}.toml"
+
+
+@lru_cache(maxsize=16)
+def _read_own(path: Path, stamp: tuple[int, ...]) -> tuple[CutData, ...]:
+    return tuple(read_chart(path))
 
 
 def read_chart(path: Path, units: str = "") -> list[CutData]:

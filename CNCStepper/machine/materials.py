@@ -4,20 +4,24 @@
     speed_m_min      of the cutter's rim         rpm  = 1000 speed / (pi diameter)
     chip_load_mm     feed a tooth                feed = rpm flutes chip_load
 
-Both are ranges; `materials.toml` names where they were published.
+Both are ranges; `materials.toml` names where they were published. A file of the user's in the same form,
+CONFIG/cncstepper/materials.toml, adds materials and takes the place of shipped ones.
 """
 
 from __future__ import annotations
 
 import tomllib
-from functools import cache
+from functools import cache, lru_cache
 from importlib import resources
-from typing import Annotated, Literal
+from pathlib import Path
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from CNCStepper.errors import JobError, Text
+from CNCStepper.errors import JobError, MissingPackage, Text
+from CNCStepper.machine.files.profile_files import config_folder
+from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.machine.profile import validated
 from CNCStepper.quantities import MOST_ITEMS, Bounds, ChipLoadOr0, Ratio, Width
 
@@ -80,7 +84,7 @@ class Material(_Checked):
     def turning_data(self) -> Turning:
         """Return what a lathe needs to know; raises JobError where the table does not have it."""
         if self.turning is None:
-            known = ", ".join(name for name in material_names() if _materials()[name].turning)
+            known = ", ".join(name for name in material_names() if materials()[name].turning)
             raise JobError(
                 "material-not-turned",
                 Text("the cutting force of {title} in turning is not in the table", title=self.title),
@@ -100,7 +104,7 @@ class Material(_Checked):
 
 def material_names() -> list[str]:
     """Return the names of all materials."""
-    return list(_materials())
+    return list(materials())
 
 
 def turned_materials() -> list[str]:
@@ -110,17 +114,44 @@ def turned_materials() -> list[str]:
 
 def material(name: str) -> Material:
     """Return a material of the table; raises JobError that names those there are."""
-    if name not in _materials():
+    if name not in materials():
         raise JobError(
             "material-unknown",
             Text("there is no material '{name}'", name=name),
             advice=Text("use one of: {material_names}", material_names=", ".join(material_names())),
         )
-    return _materials()[name]
+    return materials()[name]
+
+
+def materials() -> dict[str, Material]:
+    """Return all materials by name: those that ship, and the user's own, which take the place of shipped ones.
+
+    Raises JobError for a file of the user's that cannot be read.
+    """
+    try:
+        path = own_materials_path()
+        stamp = path.stat()
+    except (OSError, MissingPackage):  # a user without a folder has none of his own
+        return shipped_materials()
+    return shipped_materials() | _read(path, (stamp.st_mtime_ns, stamp.st_size))
+
+
+def own_materials_path() -> Path:
+    """Return the file of the user's materials, which need not be there; raises MissingPackage without platformdirs."""
+    return config_folder() / "materials.toml"
 
 
 @cache
-def _materials() -> dict[str, Material]:
+def shipped_materials() -> dict[str, Material]:
+    """Return the materials of the table that ships, by name."""
     text = (resources.files("CNCStepper.machine") / "materials.toml").read_text("utf-8")
-    tables = tomllib.loads(text)
-    return {name: validated(Material, {"name": name, **table}, "materials.toml") for name, table in tables.items()}
+    return _checked(tomllib.loads(text), "materials.toml")
+
+
+@lru_cache(maxsize=2)
+def _read(path: Path, stamp: tuple[int, ...]) -> dict[str, Material]:
+    return _checked(read_toml(path), str(path))
+
+
+def _checked(tables: dict[str, Any], file: str) -> dict[str, Material]:
+    return {name: validated(Material, {"name": name, **table}, file) for name, table in tables.items()}

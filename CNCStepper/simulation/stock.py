@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 import shapely
@@ -34,6 +35,7 @@ class Stock:
 
     size_mm: tuple[float, float, float]
     origin: str = "top-centre"
+    is_level: ClassVar[bool] = True  # one height all over the box
 
     def __post_init__(self) -> None:
         size_mm = tuple(float(length) for length in self.size_mm)
@@ -96,6 +98,8 @@ class Stock:
 class Cylinder(Stock):
     """A standing cylinder; `size_mm` is that of the box around it, x and y both its diameter."""
 
+    is_level: ClassVar[bool] = False
+
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.size_mm[0] != self.size_mm[1]:
@@ -138,6 +142,7 @@ class HeightField(Stock):
     """
 
     heights_mm: np.ndarray | None = None
+    is_level: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -104,23 +104,24 @@ def segments_of_chunks(toolpath: Toolpath, tolerance_mm: float) -> Iterator[Segm
     """Yield `segments` a chunk at a time: those of a long program need not be held whole."""
     first = 0
     for chunk, begin, end in tips_of_chunks(toolpath):
-        pieces = _chords(chunk, begin, end, tolerance_mm)
+        pieces = chords_of(chunk, begin, end, tolerance_mm)
         yield Segments(pieces.begin, pieces.end, pieces.row + first)
         first += len(chunk)
 
 
-def segments(toolpath: Toolpath, tolerance_mm: float, whole: np.ndarray | None = None) -> Segments:
-    """Return all moves as segments; chords leave their arcs by at most `tolerance_mm`.
+def segments(toolpath: Toolpath, tolerance_mm: float) -> Segments:
+    """Return all moves as segments; chords leave their arcs by at most `tolerance_mm`."""
+    begin, end = tips_mm(toolpath)
+    return chords_of(toolpath.table(), begin, end, tolerance_mm)
+
+
+def chords_of(
+    table: Chunk, begin: np.ndarray, end: np.ndarray, tolerance_mm: float, whole: np.ndarray | None = None
+) -> Segments:
+    """Return moves from begin[n, 3] to end[n, 3] as segments; chords leave their arcs by at most `tolerance_mm`.
 
     whole: bool[n], rows that stay one segment from begin to end though they are arcs.
     """
-    begin, end = tips_mm(toolpath)
-    return _chords(toolpath.table(), begin, end, tolerance_mm, whole)
-
-
-def _chords(
-    table: Chunk, begin: np.ndarray, end: np.ndarray, tolerance_mm: float, whole: np.ndarray | None = None
-) -> Segments:
     if not (table.kind >= ARC_CW).any():
         return Segments(begin, end, np.arange(len(table)))
     centre = table.centre + (end - table.end[:, :3])

@@ -48,6 +48,7 @@ from CNCStepper.workbench.features.turning.turning_tool import TurningTool
 
 if TYPE_CHECKING:
     from CNCStepper.job.model import Job as Model
+    from CNCStepper.machine.tools.stored_tool import StoredTool
 
 __all__ = [
     "add_drawing",
@@ -58,6 +59,7 @@ __all__ = [
     "add_profile",
     "add_shape",
     "add_slices",
+    "add_stored_tool",
     "add_text",
     "add_tool",
     "chart_tool",
@@ -122,22 +124,27 @@ def import_tools(job: Any, path: str | Path, unit_mm: float = 1.0) -> tuple[list
     the job has already becomes the next free one. Raises JobError for a file that cannot be read, and adds nothing.
     """
     packages.require()
-    from CNCStepper.machine.tools.stored_tool import given_keys
     from CNCStepper.machine.tools.tool_files import read_tools
 
     stored = read_tools(Path(path), unit_mm)
-    tools: list[Any] = []
     notes: list[str] = [
         Text("{tool}: {note}", tool=each.name or each.number, note=note) for each in stored for note in each.notes
     ]
-    for each in stored:
-        if each.tool is not None:
-            taken = {tool.Number for tool in job.Tools}
-            free = each.number if each.number not in taken else max(taken) + 1
-            tool = add_tool(job, **{**UNKNOWN, **given_keys(each.tool), "number": free})
-            tool.Label = each.name or tool.Label
-            tools.append(tool)
-    return tools, notes
+    return [add_stored_tool(job, each) for each in stored if each.tool is not None], notes
+
+
+def add_stored_tool(job: Any, stored: StoredTool) -> Any:
+    """Return a tool of a file or of the user's library as a new tool of the job.
+
+    A number that the job has already becomes the next free one. Raises JobError for one that is none of our shapes.
+    """
+    from CNCStepper.machine.tools.stored_tool import given_keys
+
+    taken = {tool.Number for tool in job.Tools}
+    free = stored.number if stored.number not in taken else max(taken) + 1
+    tool = add_tool(job, **{**UNKNOWN, **given_keys(stored.required(stored.name)), "number": free})
+    tool.Label = stored.name or tool.Label
+    return tool
 
 
 def add_elliptical_pocket(job: Any, drawing: Any = None, **values: Any) -> Any:

@@ -11,6 +11,8 @@ before. Each line on standard output is about the newest:
     {"key": KEY, "answer": {"fits": {key: [xy, bulge], ...}}}             of a PART {"fit": lines, "tolerance_mm": 0.01}
     {"key": KEY, "answer": {"figures": {...}, "warnings": [...]}}         of a PART {"cut": job, "machine": machine}:
                                                                           the first operation of the job
+    {"key": KEY, "answer": {"time_s": 12.5}}                              of a PART {"time_of": a PART that cuts}: the
+                                                                          planned time of what it cuts
     {"key": KEY, "answer": {"texts": [[name, text]], "paths": [text]}}    of a PART {"program": job, "machine": machine,
                                                                           "title": text}: paths are for FreeCAD's Path
     {"key": KEY, "answer": {"figures" ... or "texts" ...}}               of a PART {"turned_cut": job} or
@@ -75,6 +77,7 @@ class Answers:
             work: dict[str, Callable[[dict[str, Any]], dict[str, Any]]] = {
                 "fit": self._fits,
                 "cut": self._cut,
+                "time_of": self._time,
                 "text": self._text,
                 "program": self._programs,
                 "turned_cut": self._turned_cut,
@@ -100,13 +103,26 @@ class Answers:
         return {"curves": packed_curves(TextForm.model_validate(part["text"]).curves(Path(part["folder"])))}
 
     def _cut(self, part: dict[str, Any]) -> dict[str, Any]:
+        answer = self._first_cut(part).answer
+        return {"figures": answer.figures, "warnings": answer.warnings}
+
+    def _time(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.job.cut_transfer import machine_from
+        from CNCStepper.job.turning.turning_transfer import job_from, last_time_s
+
+        asked = part["time_of"]
+        if "turned_cut" in asked:
+            return {"time_s": last_time_s(*job_from(asked["turned_cut"]))}
+        return {"time_s": self._first_cut(asked).time_s(machine_from(asked["machine"]))}
+
+    def _first_cut(self, part: dict[str, Any]) -> Any:
+        """Return the cut of the first operation of the job that a part has."""
         from CNCStepper.job.cut_transfer import setting_from
 
         tell({"stage": "cut"})
         job = setting_from(part["cut"], part["machine"])
         cycle = job.operation[0]
-        answer = self._cut_once(cycle, job.setup(cycle)).answer
-        return {"figures": answer.figures, "warnings": answer.warnings}
+        return self._cut_once(cycle, job.setup(cycle))
 
     def _programs(self, part: dict[str, Any]) -> dict[str, Any]:
         from CNCStepper.job.cut_transfer import job_from, machine_from, path_text, program_texts

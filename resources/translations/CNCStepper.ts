@@ -4119,7 +4119,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add a copy of the marked row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a row behind the marked one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add a rule after the marked one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add a tool of your own library, or keep the marked one there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4151,7 +4163,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add the rows of a file: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Add the tools of FreeCAD's library or of a tool table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Add to job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4300,6 +4320,10 @@
         </message>
         <message>
             <source>Arc tolerance</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Arc voltage</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4588,6 +4612,14 @@
         </message>
         <message>
             <source>Canned cycles</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Carbide: feed a tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Carbide: surface speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4959,6 +4991,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cut charts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut charts (*.toml *.cfg)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4980,6 +5016,10 @@
         </message>
         <message>
             <source>Cut length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cut mode</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5047,6 +5087,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Delete the marked rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Delete the marked rule</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5068,6 +5112,10 @@
         </message>
         <message>
             <source>Depth per pass</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Depth per pass in diameters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5295,6 +5343,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Duplicate</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Duplicate operations</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5455,7 +5507,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Export</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Export job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Export…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6111,6 +6171,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>HSS: feed a tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>HSS: surface speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Half</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6144,6 +6212,10 @@
         </message>
         <message>
             <source>Height below the notch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Height control</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6611,6 +6683,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Import</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Import a drawing first</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6855,11 +6931,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Keep the marked tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Keep the table as your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Keeps the text where it came from (Ctrl+S); a job's is kept beside it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Kerf by feed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7032,6 +7120,10 @@
         </message>
         <message>
             <source>Lever</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Library…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7283,6 +7375,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Materials</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Meaning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7459,6 +7555,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Name in jobs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Name of the profile: letters of a to z, digits, - and _</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7560,6 +7660,14 @@
         </message>
         <message>
             <source>Nose radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Not all of the file was taken</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Not all was written</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7979,6 +8087,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Pause at the end</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pause between pulses</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8139,6 +8251,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Power (S)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Power on before the tool moves; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8152,6 +8268,10 @@
         </message>
         <message>
             <source>Preset speeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Pressure</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8232,6 +8352,14 @@
         </message>
         <message>
             <source>Programs ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Puddle jump delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Puddle jump height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8663,6 +8791,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Save or revert this chart first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Save program as…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8676,6 +8808,10 @@
         </message>
         <message>
             <source>Save these rules as a template of the shop</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save, and add the marked tools to the job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8700,6 +8836,10 @@
         </message>
         <message>
             <source>Scribe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Search</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8855,6 +8995,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Share of the feed straight down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8904,6 +9048,10 @@
         </message>
         <message>
             <source>Show the tool's path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show what is saved</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9024,6 +9172,10 @@
         </message>
         <message>
             <source>Sounds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Source</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9851,6 +10003,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The planned time of its own moves; the way to them and the tool change are not in it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The planned times of the checked operations, without tool changes and the ways between</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10147,6 +10307,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>These tables have changes that are not saved: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Thesis table</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10255,6 +10419,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Title</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>To</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10284,6 +10452,10 @@
         </message>
         <message>
             <source>To the start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Together {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10323,7 +10495,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tools and materials</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tools, materials and cut charts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10408,6 +10588,18 @@
         </message>
         <message>
             <source>Turning tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning: cutting force</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning: elasticity</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turning: exponent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10799,6 +10991,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Width per pass in diameters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Wing rib: out of foam by a hot wire</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10848,6 +11044,10 @@
         </message>
         <message>
             <source>Write the differences…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Write the marked rows, or all, into a file: {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11315,6 +11515,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>diameter, least and most: 5 0.03 0.07; 8 0.05 0.09</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>digital differential analyser</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11368,6 +11572,10 @@
         </message>
         <message>
             <source>feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>feed and kerf: 150 1.8; 300 1.2</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11539,6 +11747,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>least and most: 180 500</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leather</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11684,6 +11896,10 @@
         </message>
         <message>
             <source>no switch</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12327,6 +12543,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} is tool {1} of the library</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} is written and read back.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12428,6 +12648,10 @@
         </message>
         <message>
             <source>{0} tools imported</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} warnings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15331,6 +15555,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{path}' is no file of this library</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{path}' is no tool file that is known</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15343,7 +15571,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{text}' is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{text}' is no tool of a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{text}' is no whole number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16060,6 +16296,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Marlin would read G91 or G90: leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Materials of the user's own, and shipped ones that the user has changed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17504,6 +17744,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>another connection is using the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>another row has {key} {value} already</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19855,6 +20099,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it is drawn by programs with extensions alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it is empty</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19868,6 +20116,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>it is no STEP file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it is of another language than English</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22228,6 +22480,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>rows must be a list of tables</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>run it in a document like the one it was recorded in</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24687,6 +24943,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the macro needs the object {name}, which this document does not have</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the margin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26827,6 +27087,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use Install packages… in the message of the workbench</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use ROUND[...]</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27975,6 +28239,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} elements are for one language: those in English, or in none, are read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27999,6 +28267,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} rows are for another process</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} rules of style are not applied, because of their selectors: {names}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28008,6 +28280,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} texts are written downwards, raised or lowered: they are set on a straight line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28207,6 +28483,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{key} is missing, and only the circles of a drawing have one of their own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28228,6 +28508,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{key} must be a number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} must be one of: {choices}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29184,6 +29468,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
     </context>
     <context>
+        <name>CNCStepper_Library</name>
+        <message>
+            <source>Tools and materials…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Your own tools, materials and cut charts: search, edit, import and export them</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Machines</name>
         <message>
             <source>Machines…</source>
@@ -29290,6 +29585,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Rectangular pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_SaveProgram</name>
+        <message>
+            <source>Save program…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Saves the program of the job as a file for the machine</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

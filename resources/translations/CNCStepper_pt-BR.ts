@@ -4119,8 +4119,20 @@
             <translation>Adicionar um arquivo de código G</translation>
         </message>
         <message>
+            <source>Add a copy of the marked row</source>
+            <translation>Acrescentar uma cópia da linha marcada</translation>
+        </message>
+        <message>
+            <source>Add a row behind the marked one</source>
+            <translation>Acrescentar uma linha depois da marcada</translation>
+        </message>
+        <message>
             <source>Add a rule after the marked one</source>
             <translation>Acrescenta uma regra depois da marcada</translation>
+        </message>
+        <message>
+            <source>Add a tool of your own library, or keep the marked one there</source>
+            <translation>Acrescentar uma ferramenta da sua biblioteca, ou guardar nela a marcada</translation>
         </message>
         <message>
             <source>Add a tool to this job</source>
@@ -4151,8 +4163,16 @@
             <translation>Acrescentar ao documento, como malha, a peça tal como está agora</translation>
         </message>
         <message>
+            <source>Add the rows of a file: {0}</source>
+            <translation>Acrescentar as linhas de um arquivo: {0}</translation>
+        </message>
+        <message>
             <source>Add the tools of FreeCAD's library or of a tool table</source>
             <translation>Adiciona as ferramentas da biblioteca do FreeCAD ou de uma tabela de ferramentas</translation>
+        </message>
+        <message>
+            <source>Add to job</source>
+            <translation>Pôr no trabalho</translation>
         </message>
         <message>
             <source>Add tool</source>
@@ -4301,6 +4321,10 @@
         <message>
             <source>Arc tolerance</source>
             <translation>Tolerância de arco</translation>
+        </message>
+        <message>
+            <source>Arc voltage</source>
+            <translation>Tensão do arco</translation>
         </message>
         <message>
             <source>Arcs and lines this close to the drawn points, instead of the tolerance; 0: straight lines</source>
@@ -4589,6 +4613,14 @@
         <message>
             <source>Canned cycles</source>
             <translation>Ciclos fixos</translation>
+        </message>
+        <message>
+            <source>Carbide: feed a tooth</source>
+            <translation>Metal duro: avanço por dente</translation>
+        </message>
+        <message>
+            <source>Carbide: surface speed</source>
+            <translation>Metal duro: velocidade de corte</translation>
         </message>
         <message>
             <source>Centre</source>
@@ -4959,6 +4991,10 @@
             <translation>Tabela de corte</translation>
         </message>
         <message>
+            <source>Cut charts</source>
+            <translation>Tabelas de corte</translation>
+        </message>
+        <message>
             <source>Cut charts (*.toml *.cfg)</source>
             <translation>Tabelas de corte (*.toml *.cfg)</translation>
         </message>
@@ -4981,6 +5017,10 @@
         <message>
             <source>Cut length</source>
             <translation>Comprimento do corte</translation>
+        </message>
+        <message>
+            <source>Cut mode</source>
+            <translation>Modo de corte</translation>
         </message>
         <message>
             <source>Cut off at the right angle</source>
@@ -5047,6 +5087,10 @@
             <translation>Excluir um ponto</translation>
         </message>
         <message>
+            <source>Delete the marked rows</source>
+            <translation>Apagar as linhas marcadas</translation>
+        </message>
+        <message>
             <source>Delete the marked rule</source>
             <translation>Exclui a regra marcada</translation>
         </message>
@@ -5069,6 +5113,10 @@
         <message>
             <source>Depth per pass</source>
             <translation>Profundidade por passe</translation>
+        </message>
+        <message>
+            <source>Depth per pass in diameters</source>
+            <translation>Profundidade por passe em diâmetros</translation>
         </message>
         <message>
             <source>Depth to</source>
@@ -5295,6 +5343,10 @@
             <translation>Gota</translation>
         </message>
         <message>
+            <source>Duplicate</source>
+            <translation>Duplicar</translation>
+        </message>
+        <message>
             <source>Duplicate operations</source>
             <translation>Duplicar operações</translation>
         </message>
@@ -5455,8 +5507,16 @@
             <translation>Como o fio sai no fim: de volta pelo mesmo caminho, ou pelo caminho mais curto até uma borda</translation>
         </message>
         <message>
+            <source>Export</source>
+            <translation>Exportar</translation>
+        </message>
+        <message>
             <source>Export job</source>
             <translation>Exportar trabalho</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>Exportar…</translation>
         </message>
         <message>
             <source>Extra depth, so that the tool comes out below</source>
@@ -6111,6 +6171,14 @@
             <translation>plástico PEAD</translation>
         </message>
         <message>
+            <source>HSS: feed a tooth</source>
+            <translation>Aço rápido: avanço por dente</translation>
+        </message>
+        <message>
+            <source>HSS: surface speed</source>
+            <translation>Aço rápido: velocidade de corte</translation>
+        </message>
+        <message>
             <source>Half</source>
             <translation>Metade</translation>
         </message>
@@ -6145,6 +6213,10 @@
         <message>
             <source>Height below the notch</source>
             <translation>Altura abaixo do entalhe</translation>
+        </message>
+        <message>
+            <source>Height control</source>
+            <translation>Controle de altura</translation>
         </message>
         <message>
             <source>Height of</source>
@@ -6611,6 +6683,10 @@
             <translation>Pronta</translation>
         </message>
         <message>
+            <source>Import</source>
+            <translation>Importar</translation>
+        </message>
+        <message>
             <source>Import a drawing first</source>
             <translation>Primeiro importe um desenho</translation>
         </message>
@@ -6855,12 +6931,24 @@
             <translation>Guardar a peça cortada como malha</translation>
         </message>
         <message>
+            <source>Keep the marked tool</source>
+            <translation>Guardar a ferramenta marcada</translation>
+        </message>
+        <message>
+            <source>Keep the table as your own</source>
+            <translation>Guardar a tabela como sua</translation>
+        </message>
+        <message>
             <source>Keeps the text where it came from (Ctrl+S); a job's is kept beside it</source>
             <translation>Guarda o texto de onde ele veio (Ctrl+S); o de um trabalho fica ao lado dele</translation>
         </message>
         <message>
             <source>Kerf</source>
             <translation>Largura do corte</translation>
+        </message>
+        <message>
+            <source>Kerf by feed</source>
+            <translation>Largura de corte por avanço</translation>
         </message>
         <message>
             <source>Kerning</source>
@@ -7033,6 +7121,10 @@
         <message>
             <source>Lever</source>
             <translation>Alavanca</translation>
+        </message>
+        <message>
+            <source>Library…</source>
+            <translation>Biblioteca…</translation>
         </message>
         <message>
             <source>Lift before</source>
@@ -7283,6 +7375,10 @@
             <translation>Material que fica entre dois cortes</translation>
         </message>
         <message>
+            <source>Materials</source>
+            <translation>Materiais</translation>
+        </message>
+        <message>
             <source>Meaning</source>
             <translation>Significado</translation>
         </message>
@@ -7459,6 +7555,10 @@
             <translation>Nome</translation>
         </message>
         <message>
+            <source>Name in jobs</source>
+            <translation>Nome nos trabalhos</translation>
+        </message>
+        <message>
             <source>Name of the profile: letters of a to z, digits, - and _</source>
             <translation>Nome do perfil: letras de a a z, algarismos, - e _</translation>
         </message>
@@ -7561,6 +7661,14 @@
         <message>
             <source>Nose radius</source>
             <translation>Raio da ponta</translation>
+        </message>
+        <message>
+            <source>Not all of the file was taken</source>
+            <translation>Nem tudo do arquivo foi aproveitado</translation>
+        </message>
+        <message>
+            <source>Not all was written</source>
+            <translation>Nem tudo foi escrito</translation>
         </message>
         <message>
             <source>Not certain</source>
@@ -7979,6 +8087,10 @@
             <translation>Pausa</translation>
         </message>
         <message>
+            <source>Pause at the end</source>
+            <translation>Pausa no fim</translation>
+        </message>
+        <message>
             <source>Pause between pulses</source>
             <translation>Pausa entre pulsos</translation>
         </message>
@@ -8139,6 +8251,10 @@
             <translation>Potência (M3)</translation>
         </message>
         <message>
+            <source>Power (S)</source>
+            <translation>Potência (S)</translation>
+        </message>
+        <message>
             <source>Power on before the tool moves; 0: that of the chart</source>
             <translation>Tempo ligado antes de a ferramenta se mover; 0: o da tabela</translation>
         </message>
@@ -8153,6 +8269,10 @@
         <message>
             <source>Preset speeds</source>
             <translation>Rotações fixas</translation>
+        </message>
+        <message>
+            <source>Pressure</source>
+            <translation>Pressão</translation>
         </message>
         <message>
             <source>Preview</source>
@@ -8233,6 +8353,14 @@
         <message>
             <source>Programs ({0})</source>
             <translation>Programas ({0})</translation>
+        </message>
+        <message>
+            <source>Puddle jump delay</source>
+            <translation>Demora do salto da poça</translation>
+        </message>
+        <message>
+            <source>Puddle jump height</source>
+            <translation>Altura do salto da poça</translation>
         </message>
         <message>
             <source>Pull-out</source>
@@ -8663,6 +8791,10 @@
             <translation>Salvar como…</translation>
         </message>
         <message>
+            <source>Save or revert this chart first</source>
+            <translation>Guarde ou desfaça esta tabela primeiro</translation>
+        </message>
+        <message>
             <source>Save program as…</source>
             <translation>Salvar programa como…</translation>
         </message>
@@ -8677,6 +8809,10 @@
         <message>
             <source>Save these rules as a template of the shop</source>
             <translation>Salva estas regras como um modelo da oficina</translation>
+        </message>
+        <message>
+            <source>Save, and add the marked tools to the job</source>
+            <translation>Guardar, e pôr as ferramentas marcadas no trabalho</translation>
         </message>
         <message>
             <source>Saved {0}</source>
@@ -8701,6 +8837,10 @@
         <message>
             <source>Scribe</source>
             <translation>Riscador</translation>
+        </message>
+        <message>
+            <source>Search</source>
+            <translation>Procurar</translation>
         </message>
         <message>
             <source>Search in this page</source>
@@ -8855,6 +8995,10 @@
             <translation>Formas</translation>
         </message>
         <message>
+            <source>Share of the feed straight down</source>
+            <translation>Fração do avanço na descida</translation>
+        </message>
+        <message>
             <source>Sheet cut</source>
             <translation>Corte de chapa</translation>
         </message>
@@ -8905,6 +9049,10 @@
         <message>
             <source>Show the tool's path</source>
             <translation>Mostrar a trajetória</translation>
+        </message>
+        <message>
+            <source>Show what is saved</source>
+            <translation>Mostrar o que está guardado</translation>
         </message>
         <message>
             <source>Shows the same program as this machine's controller reads it: M6 becomes the machine's tool change</source>
@@ -9025,6 +9173,10 @@
         <message>
             <source>Sounds</source>
             <translation>Sons</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Fonte</translation>
         </message>
         <message>
             <source>Spacing</source>
@@ -9851,6 +10003,14 @@
             <translation>Onde ficam os furos</translation>
         </message>
         <message>
+            <source>The planned time of its own moves; the way to them and the tool change are not in it</source>
+            <translation>O tempo previsto dos seus próprios movimentos; o caminho até eles e a troca de ferramenta não contam</translation>
+        </message>
+        <message>
+            <source>The planned times of the checked operations, without tool changes and the ways between</source>
+            <translation>Os tempos previstos das operações marcadas, sem trocas de ferramenta e caminhos entre elas</translation>
+        </message>
+        <message>
             <source>The plunge feed of the program</source>
             <translation>O avanço de mergulho do programa</translation>
         </message>
@@ -10147,6 +10307,10 @@
             <translation>Estes perfis têm mudanças não salvas: {0}</translation>
         </message>
         <message>
+            <source>These tables have changes that are not saved: {0}</source>
+            <translation>Estas tabelas têm mudanças que não foram guardadas: {0}</translation>
+        </message>
+        <message>
             <source>Thesis table</source>
             <translation>Mesa da tese</translation>
         </message>
@@ -10255,6 +10419,10 @@
             <translation>Orientação da ponta</translation>
         </message>
         <message>
+            <source>Title</source>
+            <translation>Título</translation>
+        </message>
+        <message>
             <source>To</source>
             <translation>Até</translation>
         </message>
@@ -10285,6 +10453,10 @@
         <message>
             <source>To the start</source>
             <translation>Ao início</translation>
+        </message>
+        <message>
+            <source>Together {0}</source>
+            <translation>Ao todo {0}</translation>
         </message>
         <message>
             <source>Tolerance</source>
@@ -10323,8 +10495,16 @@
             <translation>Ferramentas ({0})</translation>
         </message>
         <message>
+            <source>Tools and materials</source>
+            <translation>Ferramentas e materiais</translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
+        </message>
+        <message>
+            <source>Tools, materials and cut charts</source>
+            <translation>Ferramentas, materiais e tabelas de corte</translation>
         </message>
         <message>
             <source>Toothed belt</source>
@@ -10409,6 +10589,18 @@
         <message>
             <source>Turning tool</source>
             <translation>Ferramenta de tornear</translation>
+        </message>
+        <message>
+            <source>Turning: cutting force</source>
+            <translation>Torneamento: força de corte</translation>
+        </message>
+        <message>
+            <source>Turning: elasticity</source>
+            <translation>Torneamento: elasticidade</translation>
+        </message>
+        <message>
+            <source>Turning: exponent</source>
+            <translation>Torneamento: expoente</translation>
         </message>
         <message>
             <source>Turns</source>
@@ -10799,6 +10991,10 @@
             <translation>Largura por passe</translation>
         </message>
         <message>
+            <source>Width per pass in diameters</source>
+            <translation>Largura por passe em diâmetros</translation>
+        </message>
+        <message>
             <source>Wing rib: out of foam by a hot wire</source>
             <translation>Nervura de asa: de espuma, por fio quente</translation>
         </message>
@@ -10849,6 +11045,10 @@
         <message>
             <source>Write the differences…</source>
             <translation>Gravar as diferenças…</translation>
+        </message>
+        <message>
+            <source>Write the marked rows, or all, into a file: {0}</source>
+            <translation>Escrever as linhas marcadas, ou todas, em um arquivo: {0}</translation>
         </message>
         <message>
             <source>Write the one checked program of all copies</source>
@@ -11315,6 +11515,10 @@
             <translation>diâmetro</translation>
         </message>
         <message>
+            <source>diameter, least and most: 5 0.03 0.07; 8 0.05 0.09</source>
+            <translation>diâmetro, mínimo e máximo: 5 0.03 0.07; 8 0.05 0.09</translation>
+        </message>
+        <message>
             <source>digital differential analyser</source>
             <translation>analisador diferencial digital (DDA)</translation>
         </message>
@@ -11369,6 +11573,10 @@
         <message>
             <source>feed</source>
             <translation>avanço</translation>
+        </message>
+        <message>
+            <source>feed and kerf: 150 1.8; 300 1.2</source>
+            <translation>avanço e largura de corte: 150 1.8; 300 1.2</translation>
         </message>
         <message>
             <source>felt</source>
@@ -11539,6 +11747,10 @@
             <translation>leva o programa a outro lugar</translation>
         </message>
         <message>
+            <source>least and most: 180 500</source>
+            <translation>mínimo e máximo: 180 500</translation>
+        </message>
+        <message>
             <source>leather</source>
             <translation>couro</translation>
         </message>
@@ -11685,6 +11897,10 @@
         <message>
             <source>no switch</source>
             <translation>sem chave</translation>
+        </message>
+        <message>
+            <source>no tool</source>
+            <translation>sem ferramenta</translation>
         </message>
         <message>
             <source>no tool length</source>
@@ -12327,6 +12543,10 @@
             <translation>{0} foi lida. O que falta nela vem da máquina à esquerda.</translation>
         </message>
         <message>
+            <source>{0} is tool {1} of the library</source>
+            <translation>{0} é a ferramenta {1} da biblioteca</translation>
+        </message>
+        <message>
             <source>{0} is written and read back.</source>
             <translation>{0} foi gravado e relido.</translation>
         </message>
@@ -12429,6 +12649,10 @@
         <message>
             <source>{0} tools imported</source>
             <translation>{0} ferramentas importadas</translation>
+        </message>
+        <message>
+            <source>{0} warnings</source>
+            <translation>{0} avisos</translation>
         </message>
         <message>
             <source>{0} was not cut to its end, and no open document has the program that was sent.</source>
@@ -15353,6 +15577,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>'{part}' em '{line}' não diz nada de um canto nem de um arco</translation>
         </message>
         <message>
+            <source>'{path}' is no file of this library</source>
+            <translation>'{path}' não é um arquivo desta biblioteca</translation>
+        </message>
+        <message>
             <source>'{path}' is no tool file that is known</source>
             <translation>'{path}' não é um arquivo de ferramentas conhecido</translation>
         </message>
@@ -15365,8 +15593,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>'{text}' move como só o controlador sabe</translation>
         </message>
         <message>
+            <source>'{text}' is no number</source>
+            <translation>'{text}' não é um número</translation>
+        </message>
+        <message>
             <source>'{text}' is no tool of a lathe</source>
             <translation>'{text}' não é ferramenta de torno</translation>
+        </message>
+        <message>
+            <source>'{text}' is no whole number</source>
+            <translation>'{text}' não é um número inteiro</translation>
         </message>
         <message>
             <source>'{text}' is not a tool</source>
@@ -16083,6 +16319,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Marlin would read G91 or G90: leave it out</source>
             <translation>o Marlin leria G91 ou G90: omita-a</translation>
+        </message>
+        <message>
+            <source>Materials of the user's own, and shipped ones that the user has changed</source>
+            <translation>Materiais próprios do usuário, e os fornecidos que ele mudou</translation>
         </message>
         <message>
             <source>Mounting plate</source>
@@ -17527,6 +17767,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>another connection is using the controller</source>
             <translation>outra conexão está usando o controlador</translation>
+        </message>
+        <message>
+            <source>another row has {key} {value} already</source>
+            <translation>outra linha já tem {key} {value}</translation>
         </message>
         <message>
             <source>another task is open in the task panel</source>
@@ -19877,6 +20121,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>está danificado</translation>
         </message>
         <message>
+            <source>it is drawn by programs with extensions alone</source>
+            <translation>só é desenhado por programas com extensões</translation>
+        </message>
+        <message>
             <source>it is empty</source>
             <translation>ele está vazio</translation>
         </message>
@@ -19891,6 +20139,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>it is no STEP file</source>
             <translation>não é um arquivo STEP</translation>
+        </message>
+        <message>
+            <source>it is of another language than English</source>
+            <translation>está em outro idioma que não o inglês</translation>
         </message>
         <message>
             <source>it is one program</source>
@@ -22251,6 +22503,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>rows must be a list of tables</source>
             <translation>as linhas têm de ser uma lista de tabelas</translation>
+        </message>
+        <message>
+            <source>run it in a document like the one it was recorded in</source>
+            <translation>execute-a em um documento como aquele em que foi gravada</translation>
         </message>
         <message>
             <source>run this job with cncstepper run</source>
@@ -24709,6 +24965,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a posição da máquina é desconhecida: veja se o fuso e as saídas estão desligados, depois referencie ou defina o zero de novo</translation>
         </message>
         <message>
+            <source>the macro needs the object {name}, which this document does not have</source>
+            <translation>a macro precisa do objeto {name}, que este documento não tem</translation>
+        </message>
+        <message>
             <source>the margin</source>
             <translation>a margem</translation>
         </message>
@@ -26849,6 +27109,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use I e J em vez de R</translation>
         </message>
         <message>
+            <source>use Install packages… in the message of the workbench</source>
+            <translation>use Instalar pacotes… na mensagem da bancada</translation>
+        </message>
+        <message>
             <source>use ROUND[...]</source>
             <translation>use ROUND[...]</translation>
         </message>
@@ -27997,6 +28261,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{count} traços tracejados são lidos como linhas contínuas</translation>
         </message>
         <message>
+            <source>{count} elements are for one language: those in English, or in none, are read</source>
+            <translation>{count} elementos são de um idioma: são lidos os que estão em inglês ou em nenhum</translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation>{count} microjunções não cabem em {chain}</translation>
         </message>
@@ -28021,6 +28289,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{count} pulsos não cabem: falta espaço, ou os tempos não crescem</translation>
         </message>
         <message>
+            <source>{count} rows are for another process</source>
+            <translation>{count} linhas são de outro processo</translation>
+        </message>
+        <message>
             <source>{count} rules of style are not applied, because of their selectors: {names}</source>
             <translation>{count} regras de estilo não são aplicadas, por causa de seus seletores: {names}</translation>
         </message>
@@ -28031,6 +28303,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{count} texts are set in another font or style than the file names: {names}</source>
             <translation>{count} textos são compostos em outra fonte ou estilo que os do arquivo: {names}</translation>
+        </message>
+        <message>
+            <source>{count} texts are written downwards, raised or lowered: they are set on a straight line</source>
+            <translation>{count} textos correm para baixo, ou estão elevados ou rebaixados: são postos em uma linha reta</translation>
         </message>
         <message>
             <source>{count} texts with places inside their textLength are not brought to it</source>
@@ -28229,6 +28505,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{key} tem valores de menos</translation>
         </message>
         <message>
+            <source>{key} is missing</source>
+            <translation>falta {key}</translation>
+        </message>
+        <message>
             <source>{key} is missing, and only the circles of a drawing have one of their own</source>
             <translation>{key} falta, e só os círculos de um desenho têm um próprio</translation>
         </message>
@@ -28251,6 +28531,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{key} must be a number</source>
             <translation>{key} deve ser um número</translation>
+        </message>
+        <message>
+            <source>{key} must be one of: {choices}</source>
+            <translation>{key} tem de ser um de: {choices}</translation>
         </message>
         <message>
             <source>{key} must be the name of a shape, or a list of names</source>
@@ -29206,6 +29490,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
     </context>
     <context>
+        <name>CNCStepper_Library</name>
+        <message>
+            <source>Tools and materials…</source>
+            <translation>Ferramentas e materiais…</translation>
+        </message>
+        <message>
+            <source>Your own tools, materials and cut charts: search, edit, import and export them</source>
+            <translation>Suas ferramentas, materiais e tabelas de corte: procurar, editar, importar e exportar</translation>
+        </message>
+    </context>
+    <context>
         <name>CNCStepper_Machines</name>
         <message>
             <source>Machines…</source>
@@ -29313,6 +29608,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Rectangular pocket</source>
             <translation>Bolsão retangular</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_SaveProgram</name>
+        <message>
+            <source>Save program…</source>
+            <translation>Salvar programa…</translation>
+        </message>
+        <message>
+            <source>Saves the program of the job as a file for the machine</source>
+            <translation>Salva o programa do trabalho como arquivo para a máquina</translation>
         </message>
     </context>
     <context>

@@ -245,6 +245,7 @@ gui = types.ModuleType("FreeCADGui")
 gui.Workbench = object
 gui.addLanguagePath = lambda folder: None
 gui.updateLocale = lambda: None
+gui.__unit_test__ = []
 gui.addWorkbench = lambda workbench: print(workbench.MenuText, workbench.Icon, sep="\\n")
 sys.modules["FreeCADGui"] = sys.modules["FreeCAD"] = gui
 for name in ("Init.py", "InitGui.py"):  # FreeCAD runs their text inside a function: no __file__, locals apart

@@ -30,6 +30,7 @@ REASONS = {
     "control/program/bundle": OWN_STATE,
     "job/editing/path_segments": PRIVATE,
     "workers/program_editor": PRIVATE,
+    "workbench/macro": PRIVATE,
     "control/processes/process_file": (
         "the session's own file in a folder of 0700, open and locked for as long as its process lives"
     ),

@@ -42,11 +42,13 @@ LABELS = {
     "CNCStepper_WireCut": "Wire cut",
     "CNCStepper_EditProgram": "Edit program",
     "CNCStepper_OpenProgram": "Open G-code file…",
+    "CNCStepper_SaveProgram": "Save program…",
     "CNCStepper_Arrangement": "Arrange programs…",
     "CNCStepper_Simulate": "Check and simulate",
     "CNCStepper_Send": "Send",
     "CNCStepper_Controller": "Controller",
     "CNCStepper_Machines": "Machines…",
+    "CNCStepper_Library": "Tools and materials…",
     "CNCStepper_Letters": "Pulse letters…",
 }
 (
@@ -62,11 +64,13 @@ LABELS = {
     *OPERATIONS,
     EDIT,
     OPEN,
+    SAVE,
     ARRANGE,
     SIMULATE,
     SEND,
     CONTROLLER,
     MACHINES,
+    LIBRARY,
     LETTERS,
 ) = LABELS
 ALWAYS = (DRAWING, TEXT, SHAPES)  # what needs neither a document nor a job
@@ -142,7 +146,7 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
     menu = [*LABELS.values()]
     menu[menu.index("Edit program") : menu.index("Edit program")] = ["Duplicate", "Move up", "Move down"]
     setting_up = ["First steps…", "Machine assistant…", "Install packages…", "Help"]
-    assert texts == [list(LABELS.values()), [*menu, "Open job…", "Export job…", *setting_up, "Lathe"]]
+    assert texts == [[*LABELS.values(), "Help"], [*menu, "Open job…", "Export job…", *setting_up, "Lathe"]]
     assert hand.main(lambda: all(not action(name).icon().isNull() for name in LABELS))
     hand.menu("CNCStepper")
     hand.shot("menu")
@@ -150,9 +154,9 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
 
 
 def test_without_a_document(hand: Hand) -> None:
-    expect_enabled(hand, NEW_JOB, *ALWAYS, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, NEW_JOB, *ALWAYS, OPEN, CONTROLLER, MACHINES, LIBRARY, LETTERS)
     assert {reason(hand, name) for name in (*IN_DOCUMENT, TEMPLATE)} == {"Open or make a document first"}
-    assert {reason(hand, name) for name in (IMPORT, *OPERATIONS, EDIT, SIMULATE, SEND)} == {
+    assert {reason(hand, name) for name in (IMPORT, *OPERATIONS, EDIT, SAVE, SIMULATE, SEND)} == {
         "Make a job first, with New job"
     }
     assert not reason(hand, NEW_JOB)
@@ -167,7 +171,7 @@ def button_middle(name: str) -> tuple[float, float]:
 
 
 def test_the_tooltip_is_seen_on_the_disabled_button(hand: Hand) -> None:
-    expect_enabled(hand, NEW_JOB, *ALWAYS, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, NEW_JOB, *ALWAYS, OPEN, CONTROLLER, MACHINES, LIBRARY, LETTERS)
     x, y = hand.main(lambda: button_middle(SEND))
     hand.mouse.move(x - 3, y)
     hand.settle()
@@ -179,14 +183,14 @@ def test_the_tooltip_is_seen_on_the_disabled_button(hand: Hand) -> None:
 
 def test_an_empty_document_can_be_drawn_in(hand: Hand) -> None:
     hand.main(new_document)
-    expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LIBRARY, LETTERS)
     assert reason(hand, TEMPLATE) == "Import a drawing first"
 
 
 def test_a_job_without_operations(hand: Hand) -> None:
     hand.main(lambda: api.new_job(new_document()))
     expect_enabled(
-        hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, ARRANGE, CONTROLLER, MACHINES, LETTERS
+        hand, NEW_JOB, IMPORT, *ALWAYS, *IN_DOCUMENT, *BY_NUMBERS, OPEN, ARRANGE, CONTROLLER, MACHINES, LIBRARY, LETTERS
     )
     assert reason(hand, SEND) == "Job has nothing to cut: add an operation"
     assert {reason(hand, name).partition(":")[0] for name in DRAWN} == {
@@ -205,11 +209,13 @@ def test_a_job_with_a_program(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        SAVE,
         ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
         MACHINES,
+        LIBRARY,
         LETTERS,
     )
     hand.main(lambda: select(sketch_of(job.Document, ellipse())))
@@ -221,7 +227,7 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
     document = hand.main(new_document)
     jobs = hand.main(lambda: [new_job(document), new_job(document)])
     hand.main(select)
-    expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LIBRARY, LETTERS)
     hand.wait(lambda: reason(hand, SEND) == "Select the job in the tree: this document has several")
     hand.main(select, jobs[1].Operations[0])
     expect_enabled(
@@ -233,15 +239,17 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        SAVE,
         ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
         MACHINES,
+        LIBRARY,
         LETTERS,
     )
     hand.main(select, *jobs)
-    expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LIBRARY, LETTERS)
 
 
 def test_a_job_that_cannot_be_made_says_what_is_wrong(hand: Hand) -> None:
@@ -271,15 +279,17 @@ def test_one_task_panel_at_a_time(hand: Hand) -> None:
         *BY_NUMBERS,
         EDIT,
         OPEN,
+        SAVE,
         ARRANGE,
         SIMULATE,
         SEND,
         CONTROLLER,
         MACHINES,
+        LIBRARY,
         LETTERS,
     )
     hand.main(lambda: FreeCADGui.Control.showDialog(Panel()))
-    expect_enabled(hand, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, OPEN, CONTROLLER, MACHINES, LIBRARY, LETTERS)
     assert reason(hand, POCKET) == "Close the open task panel first"
 
 
@@ -344,7 +354,7 @@ def boxes() -> list[Any]:
 
 def test_without_numba_all_works_slowly(hand: Hand, hidden: Any) -> None:
     hidden("numba")
-    expect_enabled(hand, NEW_JOB, *ALWAYS, OPEN, CONTROLLER, MACHINES, LETTERS)
+    expect_enabled(hand, NEW_JOB, *ALWAYS, OPEN, CONTROLLER, MACHINES, LIBRARY, LETTERS)
     assert "slow" in hand.main(hand.find("CNCStepper_Tell_notice").text)
     hand.button("OK")
 

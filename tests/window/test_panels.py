@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import statistics
 import time
 from collections.abc import Iterator
@@ -26,7 +27,9 @@ from CNCStepper.workbench.features.operation import Operation
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
-DEPTH, STEPOVER, OK, CANCEL = (f"CNCStepper_Panel_{name}" for name in ("depth_mm", "stepover_mm", "ok", "cancel"))
+DEPTH, STEPOVER, TIME, OK, CANCEL = (
+    f"CNCStepper_Panel_{name}" for name in ("depth_mm", "stepover_mm", "time", "ok", "cancel")
+)
 NEVER_A_NUMBER = ["", "abc", "nan", "inf", "mm", "-", "("]  # nor is any of their beginnings
 NO_NUMBERS = [*NEVER_A_NUMBER, "1.234,5", "1,2,3", "5 kg", "1e400", "1/0"]
 NOT_POSITIVE = ["0", "-1", "-0,5 mm"]
@@ -133,9 +136,12 @@ def test_ok_is_one_undo_step(hand: Hand, bench: Bench) -> None:
     bench.opened()
     hand.fill(DEPTH, "12,5")
     hand.wait(lambda: bench.pocket.Depth.Value == 12.5)
+    hand.wait(lambda: ":" in hand_box(TIME).text(), CUT_S, "the time")
+    slow = hand.text(TIME)
     hand.fill(STEPOVER, "1 mm + 1 mm")
     hand.wait(lambda: bench.pocket.Stepover.Value == 2)
     assert hand.text(DEPTH) == "12.50 mm"
+    hand.wait(lambda: ":" in hand_box(TIME).text() != slow, CUT_S, "another time")
     assert hand.text("CNCStepper_Panel_levels") == str(hand.main(lambda: bench.pocket.Levels))
     assert hand.main(bench.values)["text"] not in ("", before["text"])
     hand.shot("panel-pocket")
@@ -164,6 +170,40 @@ def test_cancel_leaves_all_as_it_was(hand: Hand, bench: Bench, leave: str) -> No
     assert hand.main(bench.values) == before
     assert hand.main(api.program_text, bench.job) == before["text"]
     assert hand.main(lambda: bench.document.UndoCount) == 0
+
+
+@pytest.mark.parametrize("leave", [OK, CANCEL])
+def test_what_follows_an_undo_in_the_panel_is_undone_too(hand: Hand, bench: Bench, leave: str) -> None:
+    before = hand.main(bench.values)
+    bench.open(bench.pocket)
+    hand.fill(DEPTH, "7")
+    hand.wait(lambda: bench.pocket.Depth.Value == 7)
+    hand.click("CNCStepper_Panel_group_operation")  # the keyboard is in no line, whose own undo that would be
+    hand.undo()
+    hand.wait(lambda: bench.pocket.Depth.Value == 10)
+    hand.click("CNCStepper_Panel_group_operation")
+    hand.wait(lambda: hand_box(DEPTH).isVisible() and hand_box(DEPTH).text() == "10.00 mm", what="the depth as it was")
+    hand.fill(DEPTH, "8")
+    hand.wait(lambda: bench.pocket.Depth.Value == 8)
+    hand.click(leave)
+    hand.wait(bench.closed)
+    if leave == OK:
+        hand.undo()
+        hand.wait(lambda: bench.pocket.Depth.Value == 10)
+    assert hand.main(bench.values) == before
+
+
+def test_an_undo_that_takes_the_object_closes_its_panel(hand: Hand, bench: Bench) -> None:
+    def new() -> None:
+        create(bench.document, "New pocket", lambda: api.add_elliptical_pocket(bench.job, radius_x_mm=20))
+
+    count = hand.main(lambda: len(bench.document.Objects))
+    hand.main(new)
+    bench.opened()
+    hand.click("CNCStepper_Panel_group_operation")
+    hand.undo()
+    hand.wait(lambda: len(bench.document.Objects) == count)
+    hand.wait(bench.closed)
 
 
 def test_a_cancelled_new_operation_is_gone_and_a_kept_one_is_undone_at_once(hand: Hand, bench: Bench) -> None:
@@ -310,6 +350,11 @@ def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:
     assert hand.main(lambda: bench.pocket.Drawings) == []
 
 
+def _rows(name: str) -> list[Any]:
+    entries = hand_box(name)
+    return [entries.item(row) for row in range(entries.count())]
+
+
 def hand_box(name: str) -> Any:
     return FreeCADGui.getMainWindow().findChild(QtGui.QWidget, name)
 
@@ -318,6 +363,11 @@ def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:
     bench.open(bench.job)
     hand.shot("panel-job")
     first, second = hand.main(lambda: [operation.Label for operation in bench.job.Operations])
+    total = "CNCStepper_Panel_operations_total"
+    hand.wait(lambda: ":" in hand_box(total).text(), CUT_S, "the times")
+    rows = hand.main(lambda: [row.text().split("\n") for row in _rows("CNCStepper_Panel_operations")])
+    assert [row[0] for row in rows] == [first, second]
+    assert all(re.fullmatch(r"T1 · \d+:\d\d(\.\d)?", row[1]) for row in rows)
     hand.main(lambda: hand_into("CNCStepper_Panel_operations_up"))
     hand.item("CNCStepper_Panel_operations", second)
     hand.click("CNCStepper_Panel_operations_up")

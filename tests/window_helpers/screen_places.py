@@ -194,7 +194,7 @@ def button(label: str) -> Any:
 
 
 def of_item(target: Any, label: str) -> Point:
-    """Return the middle of what is seen of an entry of a list, tree or table.
+    """Return the middle of what is seen of an entry of a list, tree or table, named by its text or the first line.
 
     A row may be wider than its list: Qt lays rows out once, and a panel becomes narrower when FreeCAD shows it.
     """
@@ -212,7 +212,7 @@ def _find_index(model: Any, parent: Any, label: str) -> Any:
         # PySide2 hides the columns of a plain list's model: there is one
         for column in range(1 if isinstance(model, QtCore.QAbstractListModel) else model.columnCount(parent)):
             index = model.index(row, column, parent)
-            if str(index.data()) == label:
+            if label in (str(index.data()), str(index.data()).partition("\n")[0]):
                 return index
         inside = _find_index(model, model.index(row, 0, parent), label)
         if inside is not None:

@@ -14,7 +14,7 @@ from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.verb import Verbs, check_further
 from CNCStepper.errors import JobError, Text
 from CNCStepper.job.cut_tests import kerf_test, speed_test
-from CNCStepper.machine.cut_charts import cut_data_for, read_chart, shipped_chart, write_chart
+from CNCStepper.machine.cut_charts import cut_data_for, known_chart, read_chart, write_chart
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.output_files import Output
@@ -128,7 +128,7 @@ def speed_test_(
 
 
 def _rows(process: str, chart: Path | None, units: str | None) -> list[CutData]:
-    rows = read_chart(chart, units or "") if chart else list(shipped_chart(process))
+    rows = read_chart(chart, units or "") if chart else list(known_chart(process))
     if of_process := [row for row in rows if row.process == process]:
         return of_process
     raise JobError("chart-process", Text("the chart has no row of {process}", process=process), advice="name another")

@@ -18,7 +18,7 @@ from typing import NamedTuple, overload
 
 import numpy as np
 
-from CNCStepper.drawing.dxf.group_text import CODES, GroupText, NotSplit
+from CNCStepper.drawing.dxf.group_text import CODES, GroupText, NotSplit, TextColumn
 from CNCStepper.geometry.curve import LIMIT_MM, Curve
 from CNCStepper.geometry.curve_bundle import Bundle, bundles_joined, runs
 from CNCStepper.geometry.curve_columns import STRAIGHT_MM
@@ -85,8 +85,8 @@ class PlainEntities(Sequence[PlainEntity]):
             number,
             Curve.trusted(xy[begin + row : begin + row + count + 1], bulge[begin : begin + count]),
             NAMES[texts.kinds[number]],
-            texts.layers[number],
-            texts.handles.get(number, b"").decode("ascii", "replace"),
+            texts.layers.of(number),
+            texts.handles.of(number).decode("ascii", "replace"),
             int(texts.colour_index[number]),
             true_colour if true_colour >= 0 else None,
         )
@@ -96,8 +96,8 @@ class _Texts(NamedTuple):
     """What entities have beside their curves, by their numbers."""
 
     kinds: np.ndarray
-    layers: dict[int, bytes]
-    handles: dict[int, bytes]
+    layers: TextColumn
+    handles: TextColumn
     colour_index: np.ndarray
     true_colour: np.ndarray
 
@@ -145,7 +145,7 @@ class _Entities:
         self._owner = np.cumsum(codes == 0, dtype=np.int32) - 1
         known: dict[bytes, bytes] = {}
         self._words = [known.setdefault(word, word) for word in map(bytes.strip, self._values(self._at(0)))]
-        self._kinds = np.array([KINDS.get(word, OTHER) for word in self._words], int)
+        self._kinds = np.array([KINDS.get(word, OTHER) for word in self._words], np.int8)
         self._count = len(self._words)
         self._parsed: dict[int, tuple[np.ndarray, np.ndarray]] = {}
 
@@ -157,7 +157,7 @@ class _Entities:
         handles = self._texts(5)
         numbers: dict[str, int] = {}
         for number in np.flatnonzero(~ordinary).tolist():
-            handle = handles.get(number, b"").decode("ascii", "replace").upper()
+            handle = handles.of(number).decode("ascii", "replace").upper()
             if self._words[number] not in (b"VERTEX", b"SEQEND", b"ATTRIB") and (not handle or handle in numbers):
                 raise NotSplit  # an entity has no handle of its own
             numbers[handle] = number
@@ -179,14 +179,14 @@ class _Entities:
             allowed[meaning, [*ALWAYS, *meant]] = True
         kind = self._kinds[self._owner]
         odd = ~allowed[kind, self._codes]
-        before = np.concatenate([[0], self._codes[:-1]])
         for code, needed in AFTER.items():
-            odd |= (self._codes == code) & (before != needed)
+            odd[1:] |= (self._codes[1:] == code) & (self._codes[:-1] != needed)
         ordinary = self._kinds != OTHER
         ordinary[self._owner[odd]] = False
         once = ~np.isin(self._codes, REPEATED) & ~((kind == POLYLINE) & np.isin(self._codes, OF_VERTEX))
-        keys, counts = np.unique(self._owner[once] * CODES + self._codes[once], return_counts=True)
-        ordinary[keys[counts > 1] // CODES] = False
+        keys = self._owner[once] * CODES + self._codes[once]
+        keys.sort()
+        ordinary[keys[1:][keys[1:] == keys[:-1]] // CODES] = False
         for kind_number, needs in NEEDED.items():
             for code in needs:
                 ordinary[(self._kinds == kind_number) & ~self._has(code)] = False
@@ -219,10 +219,10 @@ class _Entities:
         column[owner] = values
         return column
 
-    def _texts(self, code: int) -> dict[int, bytes]:
-        at, known = self._at(code), dict[bytes, bytes]()
-        values = (known.setdefault(value, value) for value in (each.rstrip(b"\r") for each in self._values(at)))
-        return dict(zip(self._owner[at].tolist(), values, strict=True))
+    def _texts(self, code: int) -> TextColumn:
+        """Return the value of a code for each entity."""
+        at = self._at(code)
+        return self._text.column(at + self._first, self._owner[at], self._count)
 
     def _is_level(self) -> np.ndarray:
         """Return which entities are seen from above, and lines of one height, bool[n]."""
@@ -255,7 +255,9 @@ class _Entities:
         """Return which entities have a layer's name that needs no decoding, bool[n]."""
         plain: dict[bytes, bool] = {}
         named = np.ones(self._count, bool)
-        for number, layer in self._texts(8).items():
+        layers = self._texts(8)
+        for number in range(self._count):
+            layer = layers.of(number)
             if layer not in plain:
                 plain[layer] = layer.strip() == layer != b"" and not NAME_NEVER.intersection(layer)
             named[number] = plain[layer]
@@ -316,7 +318,7 @@ class _Entities:
         found = [(lines, straight), *arcs, self._polylines(np.flatnonzero(ordinary & (self._kinds == POLYLINE)))]
         mixed = np.concatenate([own for own, _ in found])
         order = np.argsort(mixed)
-        return mixed[order], bundles_joined([bundle for _, bundle in found]).taken(order)
+        return mixed[order], bundles_joined([bundle for own, bundle in found if len(own)]).taken(order)
 
 
 def _are_chains(polylines: Bundle) -> np.ndarray:

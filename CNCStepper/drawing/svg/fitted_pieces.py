@@ -19,7 +19,7 @@ from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.fitting.bezier_path import PathPen, columns_of
 from CNCStepper.geometry.fitting.path_columns import SampleBudget
 
-MOST_WAITING = 16_384  # segments
+MOST_WAITING = 4_096  # segments
 
 
 class _Waiting(NamedTuple):

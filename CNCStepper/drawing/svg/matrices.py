@@ -19,8 +19,8 @@ import numpy as np
 
 from CNCStepper.tolerances import SAME_SCALE
 
-NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
-TRANSFORM = re.compile(r"\s*,?\s*(matrix|translate|scale|rotate|skewX|skewY)\s*\(([^)]*)\)", re.ASCII)
+NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+TRANSFORM = re.compile(r"[\s,]*(matrix|translate|scale|rotate|skewX|skewY)\s*\(([^)]*)\)", re.ASCII)
 LENGTH = re.compile(rf"\s*({NUMBER.pattern})\s*(px|pt|pc|mm|cm|in|em|ex|q|%|)\s*", re.IGNORECASE | re.ASCII)
 MM_OF_UNIT = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72.0, "pc": 25.4 / 6.0, "q": 0.25}
 CSS_DPI = 96.0
@@ -94,9 +94,9 @@ def transform_of(text: str) -> Matrix:
     """Return the product of an attribute's transforms; raises ValueError for one that is damaged."""
     result, at, count = Matrix(), 0, 0
     while text[at:].strip(" ,\t\r\n"):
-        match = TRANSFORM.match(text, at)
+        match = TRANSFORM.match(text, at) if len(text) <= MOST_TEXT else None
         count += 1
-        if not match or count > MOST_TRANSFORMS or len(text) > MOST_TEXT:
+        if not match or count > MOST_TRANSFORMS:
             raise ValueError("its transform is damaged")
         result, at = result @ _single(match[1], numbers(match[2])), match.end()
     return result

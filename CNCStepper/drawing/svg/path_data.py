@@ -17,10 +17,9 @@ from CNCStepper.drawing.svg.matrices import NUMBER, Matrix
 from CNCStepper.geometry.fitting.bezier_path import PathPen
 
 COMMAND = re.compile(r"([MmZzLlHhVvCcSsQqTtAa])([^MmZzLlHhVvCcSsQqTtAa]*)")
-ARC = re.compile(
-    r"[\s,]*({n})[\s,]*({n})[\s,]*({n})[\s,]*([01])[\s,]*([01])[\s,]*({n})[\s,]*({n})".replace("{n}", NUMBER.pattern),
-    re.ASCII,
-)
+FLAG = re.compile("[01]")
+ARC = (NUMBER, NUMBER, NUMBER, FLAG, FLAG, NUMBER, NUMBER)  # radii, rotation, large, positive, end
+BETWEEN = re.compile(r"[\s,]*", re.ASCII)
 SEPARATORS = " ,\t\r\n\f"
 COUNTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
 PART_RAD = math.pi / 8.0
@@ -238,19 +237,35 @@ def _mirrored(pen: PlacedPen, control: _Control, degree: int) -> complex:
 
 
 def _arcs(pen: PlacedPen, arguments: str, relative: bool) -> None:
-    at = 0
-    while arguments[at : at + 64].strip(SEPARATORS) or arguments[at:].strip(SEPARATORS):
-        match = ARC.match(arguments, at)
-        if not match:
-            raise PathDamage("the numbers of an arc are damaged")
-        rx, ry, rotation_deg, large, positive, x, y = map(float, match.groups())
+    at = _behind_blanks(arguments, 0)
+    if at == len(arguments):
+        raise PathDamage("an arc without numbers")
+    while at < len(arguments):
+        (rx, ry, rotation_deg, large, positive, x, y), at = _arc_values(arguments, at)
         if not all(abs(value) <= LARGEST for value in (rx, ry, rotation_deg, x, y)):
             raise PathDamage("a number is out of range")
         end = complex(x, y) + (pen.place if relative else 0j)
         pen.arc(complex(rx, ry), rotation_deg, bool(large), bool(positive), end)
-        at = match.end()
-    if not at:
-        raise PathDamage("an arc without numbers")
+
+
+def _arc_values(text: str, at: int) -> tuple[list[float], int]:
+    """Return the seven numbers of an arc and where the next one begins; flags need no blanks between them.
+
+    Each number is taken as long as it is, once: a run of digits that is no arc takes no longer than one that is.
+    """
+    values = []
+    for part in ARC:
+        match = part.match(text, at)
+        if not match:
+            raise PathDamage("the numbers of an arc are damaged")
+        values.append(float(match[0]))
+        at = _behind_blanks(text, match.end())
+    return values, at
+
+
+def _behind_blanks(text: str, at: int) -> int:
+    match = BETWEEN.match(text, at)
+    return match.end() if match else at
 
 
 def draw_rectangle(pen: PlacedPen, x: float, y: float, width: float, height: float, rx: float, ry: float) -> None:

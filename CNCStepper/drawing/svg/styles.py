@@ -2,7 +2,7 @@
 """The style of SVG elements: attributes, classes of <style>, the attribute style, and what is inherited.
 
     weakest                                                                        strongest
-    inherited ──► attribute fill="…" ──► rules: * · tag · .class · #id ──► style="fill:…"
+    inherited ──► attribute fill="…" ──► rules: * · tag · .class · #id ──► style="fill:…" ──► those marked !important
 
 Selectors of tags, classes, ids and attributes are known, with ancestors before them ("g.cut path[id]"). Others select
 nothing and are told; those of a pointer (":hover") never select anything in a drawing.
@@ -10,13 +10,15 @@ nothing and are told; those of a pointer (":hover") never select anything in a d
 
 from __future__ import annotations
 
+import operator
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
+from CNCStepper.drawing.svg.colours import colour_code
 from CNCStepper.drawing.svg.document import TEXT, Element
 from CNCStepper.drawing.svg.matrices import length
 from CNCStepper.errors import JobError
@@ -24,10 +26,13 @@ from CNCStepper.errors import JobError
 INHERITED = {
     "stroke", "fill", "color", "visibility", "fill-rule", "stroke-dasharray", "font-family", "font-size", "font-style",
     "font-weight", "font", "text-anchor", "letter-spacing", "stroke-opacity", "fill-opacity", "stroke-width", "marker",
-    "marker-start", "marker-mid", "marker-end",
+    "marker-start", "marker-mid", "marker-end", "writing-mode",
 }  # fmt: skip
+PAINTS = ("fill", "stroke", "color")
+SAME_AS_COLOUR = ("currentcolor", "context-stroke", "context-fill")
+NO_COLOURS = ("none", "inherit", *SAME_AS_COLOUR)
 MARKERS = ("marker", "marker-start", "marker-mid", "marker-end")
-OWN = {"display", "clip-path", "mask", "opacity"}
+OWN = {"display", "clip-path", "mask", "opacity", "baseline-shift"}
 KNOWN = INHERITED | OWN
 MOST_RULES = 5_000
 MOST_SHEET = 1_000_000  # characters of all <style> elements
@@ -57,6 +62,14 @@ FONT = re.compile(
     r"(?P<words>[\w\s-]*?)\s*(?P<size>[\d.]+(?:[a-z]+|%))(?:\s*/\s*[\w.%]+)?\s+(?P<family>\S.*)", re.ASCII
 )
 MOST_KEPT = 4_096  # styles that are kept to be given again
+
+
+class Declaration(NamedTuple):
+    """A property, its value, and whether it is marked !important."""
+
+    name: str
+    value: str
+    important: bool = False
 
 
 class Style(dict[str, str]):
@@ -93,6 +106,12 @@ class Style(dict[str, str]):
         return sum(self.get(key, "none") != "none" for key in ("clip-path", "mask"))
 
     @cached_property
+    def off_line(self) -> bool:
+        """Whether a text is written downwards, or raised or lowered."""
+        downwards = self.get("writing-mode", "").startswith(("tb", "vertical"))
+        return downwards or self.get("baseline-shift", "baseline") not in ("baseline", "0")
+
+    @cached_property
     def marked(self) -> bool:
         """Whether its lines have markers."""
         return any(self.get(key, "none") != "none" for key in MARKERS)
@@ -124,7 +143,7 @@ class _Compound:
 class _Rule:
     order: tuple[int, int, int, int]  # ids, classes, tags, place in the sheet
     chain: tuple[_Compound, ...]  # the element's own last
-    style: tuple[tuple[str, str], ...]
+    style: tuple[Declaration, ...]
 
 
 class StyleSheet:
@@ -132,7 +151,7 @@ class StyleSheet:
 
     def __init__(self, text: str):
         self._rules: dict[str, list[_Rule]] = defaultdict(list)
-        self._kept: dict[tuple[str, str, str], tuple[tuple[str, str], ...]] = {}
+        self._kept: dict[tuple[str, str, str], tuple[Declaration, ...]] = {}
         self._nested, self._trials = False, 0
         self.unknown: list[str] = []  # selectors that select nothing here
         self.made: dict[tuple[Any, ...], tuple[Style, Style]] = {}  # see `styled`; the first keeps its id from others
@@ -142,7 +161,7 @@ class StyleSheet:
             for selector in selectors[-MOST_SELECTOR:].rpartition("{")[2].split(",") if style else ():
                 self._add(selector, style, number)
 
-    def of(self, element: Element, ancestors: list[Element]) -> tuple[tuple[str, str], ...]:
+    def of(self, element: Element, ancestors: list[Element]) -> tuple[Declaration, ...]:
         """Return the declarations of the rules that select an element, the weakest first."""
         if not self._rules:
             return ()
@@ -151,7 +170,7 @@ class StyleSheet:
             self._kept[key] = self._selecting(element, ancestors)
         return self._kept[key]
 
-    def _selecting(self, element: Element, ancestors: list[Element]) -> tuple[tuple[str, str], ...]:
+    def _selecting(self, element: Element, ancestors: list[Element]) -> tuple[Declaration, ...]:
         keys = {"*", element.name, "#" + element.get("id"), *("." + name for name in element.get("class").split())}
         near = [rule for key in keys & self._rules.keys() for rule in self._rules[key]]
         self._trials += len(near)
@@ -161,7 +180,7 @@ class StyleSheet:
         found = sorted((rule for rule in near if _selected(rule, element, ancestors)), key=lambda rule: rule.order)
         return tuple(declaration for rule in found for declaration in rule.style)
 
-    def _add(self, selector: str, style: tuple[tuple[str, str], ...], number: int) -> None:
+    def _add(self, selector: str, style: tuple[Declaration, ...], number: int) -> None:
         chain = tuple(_compounds(selector))
         if not chain or None in chain:
             if chain and not POINTED.search(selector) and len(self.unknown) < MOST_UNKNOWN:
@@ -219,7 +238,7 @@ def _selected(rule: _Rule, element: Element, ancestors: list[Element]) -> bool:
     return not left
 
 
-def declarations(text: str) -> Iterable[tuple[str, str]]:
+def declarations(text: str) -> Iterable[Declaration]:
     """Return the known properties of a style attribute or a rule's body."""
     if not text:
         return ()
@@ -227,16 +246,19 @@ def declarations(text: str) -> Iterable[tuple[str, str]]:
 
 
 @lru_cache(4096)
-def _declarations(text: str) -> tuple[tuple[str, str], ...]:
+def _declarations(text: str) -> tuple[Declaration, ...]:
     return tuple(_parsed(text))
 
 
-def _parsed(text: str) -> Iterator[tuple[str, str]]:
+def _parsed(text: str) -> Iterator[Declaration]:
     for declaration in text.split(";"):
         name, _, value = declaration.partition(":")
         name = name.strip().casefold()
-        if name in KNOWN:
-            yield name, value.replace("!important", "").strip()
+        before, mark, after = value.rpartition("!")
+        important = bool(mark) and after.strip().casefold() == "important"
+        value = (before if important else value).strip()
+        if name in KNOWN and (name not in PAINTS or _is_paint(value)):
+            yield Declaration(name, value, important)
 
 
 def styled(element: Element, inherited: Style, sheet: StyleSheet, ancestors: list[Element]) -> Style:
@@ -251,10 +273,10 @@ def styled(element: Element, inherited: Style, sheet: StyleSheet, ancestors: lis
     if key not in sheet.made:
         if len(sheet.made) >= MOST_KEPT:
             sheet.made.clear()
-        sheet.made[key] = (
-            inherited,
-            _cascaded(inherited, {**dict(attributes), **dict(rules), **dict(declarations(text))}),
-        )
+        own = {name: value for name, value in attributes if name not in PAINTS or _is_paint(value)}
+        declared = sorted((*rules, *declarations(text)), key=operator.attrgetter("important"))
+        own |= {declaration.name: declaration.value for declaration in declared}
+        sheet.made[key] = inherited, _cascaded(inherited, own)
     return sheet.made[key][1]
 
 
@@ -294,26 +316,17 @@ def _settle_font(style: Style, own: dict[str, str], around: float) -> None:
 def colour_of(value: str, style: Style) -> str | None:
     """Return a paint as "#rrggbb", "" where it paints without one colour (a pattern), None where it does not paint."""
     text = value.strip()
-    if text.casefold() in ("none", "transparent", ""):
+    if text.casefold() in ("none", ""):
         return None
-    if text.casefold() in ("currentcolor", "context-stroke", "context-fill"):
+    if text.casefold() in SAME_AS_COLOUR:
         text = style.get("color", "black")
     if text.startswith("url("):
         after = text.partition(")")[2].strip()
         return colour_of(after, style) or "" if after else ""
-    return _colour(text[:64])
+    return colour_code(text) or None
 
 
-@lru_cache(4096)
-def _colour(text: str) -> str | None:
-    from PIL import ImageColor
-
-    plain = re.sub(r"\s+(icc-color|device-cmyk)\(.*", "", text)
-    spaced = re.sub(r"(?<=[\d%])\s+(?=[\d.])", ",", plain.strip()).partition("/")[0].replace("deg", "").strip()
-    if spaced.endswith(("rgb", "hsl")) or spaced.count("(") > spaced.count(")"):
-        spaced += ")"
-    try:
-        colour = ImageColor.getrgb(spaced)
-    except ValueError:
-        return "#000000" if text else None
-    return None if len(colour) == 4 and colour[3] == 0 else "#{:02x}{:02x}{:02x}".format(*colour[:3])
+def _is_paint(value: str) -> bool:
+    """Return whether a value of fill, stroke or color is one; another one does not count, as in a browser."""
+    text = value.strip().casefold()
+    return text.startswith("url(") or text in NO_COLOURS or colour_code(text) is not None

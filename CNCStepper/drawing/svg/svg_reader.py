@@ -52,6 +52,8 @@ NOT_DRAWN = {
     "animate", "animateTransform", "animateMotion", "set", "#text", "",
 }  # fmt: skip
 PLAIN = re.compile(r"-?\d{1,9}(?:\.\d{1,30})?", re.ASCII)  # a number of user units
+LANGUAGE = "en"  # of elements that a file has in several: one drawing is one program wherever it is read
+MOST_CHOICES = 1_000  # of a switch, and languages of an element
 MARKED = ("path", "line", "polyline", "polygon")
 ESCAPED = re.compile(r"_x([0-9A-Fa-f]{2,4})_")  # what Illustrator makes of blanks and signs in names
 SVG_WARNINGS = {
@@ -59,8 +61,10 @@ SVG_WARNINGS = {
     "dash": "{count} dashed strokes are read as whole lines",
     "font": "{count} texts are set in another font or style than the file names: {names}",
     "glyph": "the fonts of {count} texts lack letters, which are left out: {names}",
+    "language": "{count} elements are for one language: those in English, or in none, are read",
     "length": "{count} texts with places inside their textLength are not brought to it",
     "marker": "{count} lines have markers, which are not read",
+    "set": "{count} texts are written downwards, raised or lowered: they are set on a straight line",
     "path-end": "{count} texts are longer than their path; letters beyond it are left out: {names}",
     "path": "{count} paths are damaged and read up to the damage",
     "selector": "{count} rules of style are not applied, because of their selectors: {names}",
@@ -159,13 +163,15 @@ class _Walk:
             if key in self._names
             else Text(SVG_WARNINGS[key], count=count)
             for key, count in self._told.items()
+            if count
         )
 
     def _children(self, element: Element, context: _Context, above: list[Element]) -> None:
         inside = [*above, element]
         children: Iterable[Element] = element.children
         if element.name == "switch":
-            children = itertools.islice(filter(_passes, children), 1)
+            choices = (child for child in itertools.islice(children, MOST_CHOICES) if child.name not in NOT_DRAWN)
+            children = itertools.islice((child for child in choices if not _unread(child)), 1)
         for child in children:
             self._element(child, context, inside)
 
@@ -173,6 +179,11 @@ class _Walk:
         if element.name in NOT_DRAWN:
             return
         self._count_drawn()
+        if "systemLanguage" in element.attributes:
+            self._told["language"] += 1
+        if why := _unread(element):
+            self._skip(element, around, why)
+            return
         style = styled(element, around.style, self._sheet, above)
         if not style.displayed:
             return
@@ -310,6 +321,7 @@ class _Walk:
         )
         letters.read(element, context.style)
         told: dict[tuple[str, str], None] = {}
+        self._told["set"] += any(letter.style.off_line for letter in letters.letters)
         setter = TextSetter(self._letters, self._text_path, lambda key, name: told.update({(key, name): None}))
         curves = setter.outlines(letters, context.matrix)
         self._told.update({key for key, _ in told})
@@ -351,9 +363,18 @@ def _referred(root: Element) -> dict[str, Element]:
     return found
 
 
-def _passes(element: Element) -> bool:
-    """Return whether a child of <switch> is one that can be drawn without extensions."""
-    return element.name not in NOT_DRAWN and not element.get("requiredExtensions") and element.name != "foreignObject"
+def _unread(element: Element) -> str:
+    """Return why an element is for other readers: for one with extensions, or of another language; "" for no reason."""
+    if "requiredExtensions" in element.attributes or element.name == "foreignObject":
+        return Text("it is drawn by programs with extensions alone")
+    if "systemLanguage" in element.attributes and not _speaks(element.get("systemLanguage")):
+        return Text("it is of another language than English")
+    return ""
+
+
+def _speaks(languages: str) -> bool:
+    """Return whether a list of languages holds that in which drawings are read."""
+    return any(word.strip().casefold().split("-")[0] == LANGUAGE for word in languages.split(",", MOST_CHOICES))
 
 
 def _in_viewport(element: Element, sized: Element, context: _Context) -> _Context:

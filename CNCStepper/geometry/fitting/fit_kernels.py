@@ -18,7 +18,7 @@ import numpy as np
 from CNCStepper.kernels import njit
 
 TRIALS = 6  # corrections of a bulge; the error of each is the square of the one before
-POLISHES = 2
+POLISHES = 1
 MOST_BULGE = 1.0 + 1e-9  # a half circle
 GUESSES = 3
 MOST_GROWTH = 8.0  # of a guess over the count before
@@ -167,14 +167,14 @@ def corrected(z, first, last, bulge, tolerance):
 
 
 @njit
-def suited(z, first, last, tolerance):
+def suited(z, first, last, guess, tolerance):
     """Return whether one line or arc serves the points, its bulge, and how far the points are off the last arc tried.
 
-    A line serves wherever it can, with 0 for how far.
+    A line serves wherever it can, with 0 for how far. The search for an arc begins with the bulge `guess`.
     """
     if last == first + 1 or serves(z, first, last, 0.0, tolerance):
         return True, 0.0, 0.0
-    bulge = off = 0.0
+    bulge, off = guess, 0.0
     for _ in range(TRIALS):
         if z[first] == z[last]:
             break
@@ -183,7 +183,7 @@ def suited(z, first, last, tolerance):
             break
         if abs(bulge) <= MOST_BULGE and serves(z, first, last, bulge, tolerance):
             return True, bulge, off
-    return False, 0.0, off
+    return False, bulge if abs(bulge) <= MOST_BULGE else 0.0, off
 
 
 @njit
@@ -205,12 +205,15 @@ def fit_stretch(z, first, last, tolerance, ends, bulges):
     The search begins with the count of the segment before. How far points lie off an arc grows with the cube of its
     length: that gives GUESSES further counts; then counts are doubled and halved.
     """
-    count, usual = 0, 2
+    count, usual, rate = 0, 2, 0.0
     while first < last:
         good, best, bad = first + 1, 0.0, last + 1
         trial, guesses = min(first + usual, last), GUESSES
         while bad - good > 1:
-            fits, bulge, off = suited(z, first, trial, tolerance)
+            guess = max(-1.0, min(rate * (trial - first), 1.0))
+            fits, bulge, off = suited(z, first, trial, guess, tolerance)
+            if bulge != 0.0:
+                rate = bulge / (trial - first)
             if fits:
                 good, best = trial, bulge
             else:

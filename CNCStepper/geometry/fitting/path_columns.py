@@ -30,7 +30,7 @@ SURE = 1.0 - 1e-9  # of the tolerance: what the kernel computes is rounded
 SMOOTH_RAD = 0.01  # two Bezier curves that meet at a larger angle have a corner there
 MOST_SAMPLES = 300_000  # of one path
 MOST_SAMPLES_OF_ALL = 6_000_000  # of one drawing
-GROUP_SAMPLES = 300_000  # of the paths that are sampled together: some 10 MB
+GROUP_SAMPLES = 65_536  # of the paths that are sampled together: some 3 MB
 
 
 class SampleBudget:

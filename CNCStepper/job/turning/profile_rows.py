@@ -18,7 +18,7 @@ from typing import Any
 from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.job.turning.profile_form import Corner
 
-NUMBER = r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
+NUMBER = r"([-+]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)"
 WORDS = (
     (re.compile(rf"(chamfer|fillet) {NUMBER}"), lambda found: {f"{found[1]}_mm": float(found[2])}),
     (re.compile(rf"(cw|ccw) radius {NUMBER}"), lambda found: {"arc": found[1], "radius_mm": float(found[2])}),

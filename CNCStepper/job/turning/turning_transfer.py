@@ -44,6 +44,15 @@ def last_cut(job: TurningJob, machine: Machine) -> tuple[dict[str, float], tuple
     return answers[-1].figures, answers[-1].warnings
 
 
+def last_time_s(job: TurningJob, machine: Machine) -> float:
+    """Return the planned time of a job's last operation, s."""
+    from CNCStepper.motion.planner.plan import begun, times_s  # its kernels load late
+
+    moves, _ = turned_moves(job, machine)
+    ends_s, first = times_s(begun(moves), machine), moves.spans[-1].first
+    return float(ends_s[-1] - (ends_s[first - 1] if first else 0.0))
+
+
 def read_back(job: TurningJob, machine: Machine, text: str, file: str) -> Toolpath:
     """Return the moves of a program's text on the part: X the radius, Z of a right-handed lathe."""
     return in_part(interpret(text, Start(), dialect=machine.language(), file=file), placement_of(job, machine))

@@ -11,6 +11,7 @@ import math
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 from itertools import chain, islice
 from typing import NamedTuple
 
@@ -22,7 +23,15 @@ from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.planner.path_control_modes import path_modes, reaches
 from CNCStepper.motion.planner.standstills import Stops
 from CNCStepper.motion.planner.step_timeline import positions_at, step_table
-from CNCStepper.motion.planner.table_planning import Course, Rows, new_course, run_empty, run_rows, stand_still
+from CNCStepper.motion.planner.table_planning import (
+    Course,
+    Rows,
+    new_course,
+    run_empty,
+    run_rows,
+    stand_still,
+    take_ends,
+)
 from CNCStepper.toolpath import LINE, RAPID, Chunk, Toolpath, require_straight_axes
 from CNCStepper.units import S_PER_MIN
 
@@ -157,16 +166,13 @@ class _RowValues:
         self.not_before = rows.not_before
 
 
-def _ends_ticks(segments: np.recarray) -> np.ndarray:
-    """Return when each segment ends, int64[n], ticks."""
-    return segments.start + segments.ticks * segments.cycles  # type: ignore[no-any-return]
-
-
-def _speeds_mm_s(segments: np.recarray, steps_per_mm: np.ndarray) -> np.ndarray:
-    """Return how fast each axis goes in each segment, float64[n, axes]."""
-    events_per_s = segments.unit / EIGHTHS * TICKS_PER_S / segments.cycles
-    share = np.abs(segments.steps) / np.maximum(segments.events, 1)[:, None]
-    return share * events_per_s[:, None] / steps_per_mm  # type: ignore[no-any-return]
+def _take_speeds(segments: np.ndarray, first: int, greatest: np.ndarray, steps_per_mm: np.ndarray) -> None:
+    """Raise the speed of each axis on the rows from `first` on, float64[n, axes] in mm/s, to that of their segments."""
+    low, high = np.searchsorted(segments["tag"], (first, first + len(greatest)))
+    own = segments[low:high]
+    events_per_s = own["unit"] / EIGHTHS * TICKS_PER_S / own["cycles"]
+    share = np.abs(own["steps"]) / np.maximum(own["events"], 1)[:, None]
+    np.maximum.at(greatest, own["tag"] - first, share * events_per_s[:, None] / steps_per_mm)
 
 
 class Run:
@@ -239,7 +245,7 @@ class Run:
     def row_ends_s(self, progress: Callable[[float], None] = lambda share: None) -> Iterator[np.ndarray]:
         """Yield the end times in s of each chunk's rows, float64[n], once no later move can change them."""
         latest = 0
-        for ended in self._by_row(_ends_ticks, (), progress):
+        for ended in self._by_row(take_ends, (), progress):
             ends = np.maximum.accumulate(np.maximum(ended.greatest, ended.not_before))
             np.maximum(ends, latest, out=ends)
             latest = int(ends[-1])
@@ -248,27 +254,26 @@ class Run:
     def row_speeds_mm_s(self) -> Iterator[np.ndarray]:
         """Yield the greatest speed of each axis on each chunk's rows, float64[n, axes], as `row_ends_s` does."""
         steps_per_mm = np.array(self.limits.steps_per_mm)
-        for ended in self._by_row(lambda segments: _speeds_mm_s(segments, steps_per_mm), (self.limits.axes,)):
+        for ended in self._by_row(partial(_take_speeds, steps_per_mm=steps_per_mm), (self.limits.axes,)):
             yield ended.greatest
 
     def _by_row(
         self,
-        value_of: Callable[[np.recarray], np.ndarray],
+        take: Callable[[np.ndarray, int, np.ndarray], None],
         shape: tuple[int, ...],
         progress: Callable[[float], None] = lambda share: None,
     ) -> Iterator[_RowValues]:
-        """Yield for each chunk the greatest value that its rows' segments have.
+        """Yield for each chunk the greatest value that its rows' segments have; `take` takes those of further segments.
 
         A chunk is done once a segment of a later chunk was planned: segments come in the order of the rows.
         """
         waiting = self._waiting = deque()
         self._value_shape = shape
         for segments in self.segments():
-            values, rows = value_of(segments), segments.tag
+            plain = segments.view(np.ndarray)  # its fields are found in a tenth of the time
             for one in waiting:
-                low, high = np.searchsorted(rows, (one.first, one.first + len(one.greatest)))
-                np.maximum.at(one.greatest, rows[low:high] - one.first, values[low:high])
-            while waiting[0].first + len(waiting[0].greatest) <= rows[-1]:
+                take(plain, one.first, one.greatest)
+            while waiting[0].first + len(waiting[0].greatest) <= plain["tag"][-1]:
                 yield waiting.popleft()
             progress(self.share)
         yield from waiting

@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from CNCStepper.kernels import njit_inline
+from CNCStepper.kernels import njit_in_place, njit_inline
 from CNCStepper.machine.profile import LOOK_AHEAD_BLOCKS
 from CNCStepper.motion.planner.arc_segments import new_arc, next_point, start_arc
 from CNCStepper.motion.planner.buffers import (
@@ -222,3 +222,12 @@ def _cut(course, segments, row):
     cursor.cycles = max(segment.cycles, 2 * INTERRUPT_TICKS)
     cursor.moved = True
     return True
+
+
+@njit_in_place
+def take_ends(segments, first, latest):
+    """Raise the ends of the rows from `first` on, int64[n] in ticks, to those of their segments."""
+    for k in range(len(segments)):
+        row = segments[k]["tag"] - first
+        if 0 <= row < len(latest):
+            latest[row] = max(latest[row], segments[k]["start"] + segments[k]["ticks"] * segments[k]["cycles"])

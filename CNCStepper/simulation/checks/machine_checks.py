@@ -130,7 +130,9 @@ def _fastest_mm_min(subject: CheckContext) -> np.ndarray:
         path = path[subject.is_feed[path.row]]
         delta, length = np.abs(path.end - path.begin), path.length_mm
         share = delta / np.where(length > 0, length, 1.0)[:, None]
-        np.maximum.at(fastest, path.row, share * subject.table.feed[path.row][:, None])
+        firsts = np.flatnonzero(np.append(True, path.row[1:] != path.row[:-1])[: len(path)])
+        speeds = share * subject.table.feed[path.row][:, None]
+        fastest[path.row[firsts]] = np.maximum.reduceat(speeds, firsts) if len(firsts) else speeds
     return fastest
 
 

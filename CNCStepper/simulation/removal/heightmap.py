@@ -18,7 +18,7 @@ import os
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -101,10 +101,22 @@ class Grid:
         x, y = (self.centres_mm(axis, k * TILE, (k + 1) * TILE) for axis, k in ((0, column), (1, row)))
         return x, y
 
+    def tile_tops_mm(self, number: int) -> np.ndarray:
+        """Return the tops of the cells of a tile, float32[rows, columns]; not to be written to."""
+        x_mm, y_mm = self.tile_centres_mm(number)
+        if self.stock.is_level:
+            return _level_tops_mm(self.stock.top_mm, len(y_mm), len(x_mm))
+        return self.stock.tops_mm(x_mm, y_mm).astype(np.float32)
+
     def window(self, number: int) -> tuple[slice, slice]:
         """Return where a tile lies in the array of all cells."""
         row, column = divmod(number, self.shape[1])
         return slice(row * TILE, (row + 1) * TILE), slice(column * TILE, (column + 1) * TILE)
+
+
+@lru_cache(maxsize=4)  # inner tiles, and those at the two edges and in the corner
+def _level_tops_mm(top_mm: float, rows: int, columns: int) -> np.ndarray:
+    return np.full((rows, columns), top_mm, np.float32)
 
 
 @dataclass(frozen=True)
@@ -130,7 +142,7 @@ class Part:
 
     def _cut(self, moves: Moves, number: int, which: np.ndarray, tiles: Mapping[int, Tile]) -> tuple[int, Tile]:
         x_mm, y_mm = self.grid.tile_centres_mm(number)
-        tops = self.grid.stock.tops_mm(x_mm, y_mm).astype(np.float32)
+        tops = self.grid.tile_tops_mm(number)
         old = tiles.get(number)
         heights, means = (tops.copy(), tops.copy()) if old is None else (old.heights.copy(), old.means)
         frame = (float(x_mm[0]), float(y_mm[0]), *self.grid.cell_mm)

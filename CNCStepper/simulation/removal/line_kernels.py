@@ -16,6 +16,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from CNCStepper.kernels import njit
 from CNCStepper.simulation.cutter_solid import height_at, reach
 from CNCStepper.simulation.removal.row_kernels import (
@@ -47,6 +49,12 @@ def lower(cell, z, covered, share):
     if share < 1.0:
         z = share * z + (1.0 - share) * top
     return height, min(z, mean)
+
+
+@njit
+def stored(z):
+    """Return a height as cells keep it: those that are as low are not changed by a cut down to z."""
+    return float(np.float32(z))
 
 
 @njit
@@ -158,7 +166,7 @@ def _cut_level(tile, grid, move, direction, feet, form):
     x0, y0, dx, dy = grid
     rows, columns = heights.shape
     ux, uy = direction
-    low, mean_low = move[2], max(move[2], bottom)
+    low, mean_low = stored(move[2]), stored(max(move[2], bottom))
     wide = form[0] + 0.5 * (dx + dy)
     first_foot, last_foot = max(feet[0], -wide), min(feet[1], move[3] + wide)
     one, other = uy * first_foot, uy * last_foot
@@ -230,15 +238,15 @@ def _cut_wedge(tile, grid, joint, direction, turned, form):
     heights, means, tops, bottom = tile
     rows, columns = heights.shape
     jx, jy, jz = joint[0], joint[1], joint[2]
-    wide, mean_low = form[0] + 0.5 * (dx + dy), max(jz, bottom)
+    wide, low, mean_low = form[0] + 0.5 * (dx + dy), stored(jz), stored(max(jz, bottom))
     side = -wide if direction[0] * turned[1] - direction[1] * turned[0] > 0.0 else wide
     one, other = side * direction[0], side * turned[0]
-    low, high = min(one, other, 0.0), max(one, other, 0.0)
+    south, north = min(one, other, 0.0), max(one, other, 0.0)
     if direction[1] > 0.0 > turned[1]:
-        high = wide
+        north = wide
     if direction[1] < 0.0 < turned[1]:
-        low = -wide
-    first_row, last_row = columns_between(jy + low, jy + high, y0, 1.0 / dy, rows)
+        south = -wide
+    first_row, last_row = columns_between(jy + south, jy + north, y0, 1.0 / dy, rows)
     per_mm, by_first, by_second = 1.0 / dx, inverse_of(direction[0]), inverse_of(turned[0])
     for row in range(first_row, last_row + 1):
         y = y0 + row * dy - jy
@@ -247,7 +255,7 @@ def _cut_wedge(tile, grid, joint, direction, turned, form):
         first, last = columns_between(west, east, x0 - jx, per_mm, columns)
         for column in range(first, last + 1):
             height, mean = float(heights[row, column]), float(means[row, column])
-            if height <= jz and mean <= mean_low:
+            if height <= low and mean <= mean_low:
                 continue
             cell = height, mean, float(tops[row, column]), bottom
             cut = _below_point(cell, x0 + column * dx - jx, y, dx, dy, jz, form)

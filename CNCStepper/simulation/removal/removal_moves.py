@@ -15,7 +15,7 @@ from CNCStepper.machine.tools.tool_profile import Form, form_of
 from CNCStepper.simulation.arc_chords import Arcs, arcs_of
 from CNCStepper.simulation.cutter_solid import BEAM, Tools, tool_numbered
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.tip_segments import Segments, segments, tips_mm
+from CNCStepper.simulation.tip_segments import Segments, chords_of, tips_mm
 from CNCStepper.toolpath import RAPID, XY, Toolpath
 
 CHORD_MM = 0.0002
@@ -83,7 +83,7 @@ def moves_of(toolpath: Toolpath, tools: Tools, stock: Stock) -> Moves:
     round_ = np.abs(shape.radius[:, 1] - shape.radius[:, 0]) <= SPIRAL_MM
     whole = np.zeros(len(table), bool)
     whole[shape.rows[round_]] = True
-    pieces = segments(toolpath, CHORD_MM, whole)
+    pieces = chords_of(table, begin, end, CHORD_MM, whole)
     share = _shares(pieces.row)
     arc_of_row = np.full(len(table), -1)
     arc_of_row[shape.rows[round_]] = np.arange(int(round_.sum()))

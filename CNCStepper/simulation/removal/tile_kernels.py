@@ -9,10 +9,12 @@ import numpy as np
 
 from CNCStepper.kernels import njit
 from CNCStepper.simulation.removal.arc_kernels import bounds, cut_arc
-from CNCStepper.simulation.removal.line_kernels import cut_line
+from CNCStepper.simulation.removal.line_kernels import cut_line, stored
 from CNCStepper.simulation.removal.row_kernels import columns_between
 
 TILE = 128  # cells along a tile's side: its two arrays of float32 fit a core's cache
+BLOCK = 8  # cells along the side of a block, of which a tile knows how high it is at most
+MOST_UNASKED = 63  # moves that are cut without a look at the blocks, while these have something to cut
 
 
 @njit
@@ -71,11 +73,24 @@ def cut_tile(tile, grid, begin, end, arc, arcs, form, forms, joined, which):
     Lines go row by row over the cells that they cut. A short level one along x has many rows of few cells each, so it
     is cut with x and y exchanged: the cells are the same, and so is what is cut. (Of a ramp, or of a line that a climb
     goes on from, each row also has the cells between two ranges, which are others by columns.)
+    A level line over cells that are as low already is passed over; where lines do cut, ever fewer are asked.
     """
     heights, means, tops, bottom = tile
     mirrored = heights.T, means.T, tops.T, bottom
     mirrored_grid = grid[1], grid[0], grid[3], grid[2]
+    across = (TILE + BLOCK - 1) // BLOCK
+    ceilings, seen = np.full((across, across, 2), np.inf, np.float32), np.full((across, across), -1, np.int64)
+    cuts, unasked, run = 0, 0, 0
     for k in which:
+        if unasked > 0:
+            unasked -= 1
+        elif arc[k] < 0 and begin[k][2] == end[k][2]:
+            if _is_done(tile, grid, begin[k], end[k], forms[form[k], 0], ceilings, seen, cuts):
+                run = 0
+                continue
+            run = min(2 * run + 1, MOST_UNASKED)
+            unasked = run
+        cuts += 1
         own = forms[form[k], 0], forms[form[k], 1], forms[form[k], 2], forms[form[k], 3]
         if arc[k] >= 0:
             cut_arc(tile, grid, begin[k], end[k], arcs[arc[k]], own)
@@ -88,6 +103,47 @@ def cut_tile(tile, grid, begin, end, arc, arcs, form, forms, joined, which):
             else:
                 ends = (a[0], a[1], a[2]), (b[0], b[1], b[2]), (c[0], c[1], c[2])
                 cut_line(tile, grid, ends[0], ends[1], ends[2], joined[k], own)
+
+
+@njit
+def _is_done(tile, grid, a, b, radius, ceilings, seen, cuts):
+    """Return whether a level line has nothing to cut in a tile, as far as its blocks say.
+
+    ceilings: float32[blocks, blocks, 2], at least the heights and the means of each block; seen: int64[blocks, blocks],
+    how many cuts there were when they were found; cuts: how many there are now.
+    """
+    heights, means, _, bottom = tile
+    rows, columns = heights.shape
+    wide, half_x, half_y = radius + 0.5 * (grid[2] + grid[3]), 0.5 * grid[2], 0.5 * grid[3]
+    height, mean = stored(a[2]), stored(max(a[2], bottom))
+    south, north = columns_between(
+        min(a[1], b[1]) - wide - half_y, max(a[1], b[1]) + wide + half_y, grid[1], 1.0 / grid[3], rows
+    )
+    west, east = columns_between(
+        min(a[0], b[0]) - wide - half_x, max(a[0], b[0]) + wide + half_x, grid[0], 1.0 / grid[2], columns
+    )
+    for i in range(south // BLOCK, north // BLOCK + 1):
+        for j in range(west // BLOCK, east // BLOCK + 1):
+            if ceilings[i, j, 0] <= height and ceilings[i, j, 1] <= mean:
+                continue
+            if seen[i, j] == cuts:
+                return False
+            ceilings[i, j, 0] = _highest(heights, i * BLOCK, j * BLOCK)
+            ceilings[i, j, 1] = _highest(means, i * BLOCK, j * BLOCK)
+            seen[i, j] = cuts
+            if ceilings[i, j, 0] > height or ceilings[i, j, 1] > mean:
+                return False
+    return True
+
+
+@njit
+def _highest(cells, first_row, first_column):
+    """Return the greatest value of a block of cells."""
+    highest = cells[first_row, first_column]
+    for row in range(first_row, min(first_row + BLOCK, cells.shape[0])):
+        for column in range(first_column, min(first_column + BLOCK, cells.shape[1])):
+            highest = max(highest, cells[row, column])
+    return highest
 
 
 def bins(moves, first: int, last: int, grid: tuple[float, ...], shape: tuple[int, int]) -> dict[int, np.ndarray]:

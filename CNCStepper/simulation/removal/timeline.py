@@ -6,7 +6,8 @@
 
 A moment is cut from the last check-point before it. The last move done, or the share of it that is done, is cut
 as if none followed it; a check-point lacks that end, so that going on from it is the same as never stopping.
-All check-points together hold at most 512 MB: where they would need more, they stand further apart.
+All check-points together hold at most 512 MB: where they would need more, as far as the first ones say or in the end,
+they stand further apart.
 """
 
 from __future__ import annotations
@@ -31,6 +32,7 @@ from CNCStepper.toolpath import Toolpath
 WORK_CELLS = 1e6  # cells that the moves between two check-points sweep: some 5 ms, where memory allows it
 ARC_WORK = 8  # a cell beside an arc costs as much as that many beside a line
 MOST_BYTES = 512_000_000  # of all check-points; where they need more every second one is given up
+TELLING = 16  # check-points from which it is told how much all of them need
 
 
 @dataclass(frozen=True)
@@ -166,7 +168,8 @@ def _check_points(moves: Moves, uncut: Part) -> tuple[np.ndarray, list[Part]]:
         parts.append(parts[-1].after(moves, kept[-1], stops[number]))
         kept.append(stops[number])
         held += sum(parts[-1].tiles[changed].nbytes for changed in parts[-1].changed_since(parts[-2]))
-        if held > MOST_BYTES:
+        needed = held * len(stops) / number if len(parts) >= TELLING else held
+        if needed > MOST_BYTES:
             kept, parts, stride = kept[::2], parts[::2], stride * 2
             held = _bytes_held(parts)
         number = stops.index(kept[-1]) + stride

@@ -33,11 +33,15 @@ Parts = dict[str, dict[str, Any]]  # questions by their keys
 
 @dataclass(frozen=True)
 class CutRequest:
-    """A request of one client, and its callbacks: each stage's English words, and the end."""
+    """A request of one client, and its callbacks: each stage's English words, and the end.
+
+    can_wait: whether any other request goes before it.
+    """
 
     parts: Parts
     stage: Callable[[str], None]
     answered: Callable[[], None]
+    can_wait: bool = False
 
 
 class CutProcess(QtCore.QObject):
@@ -67,7 +71,8 @@ class CutProcess(QtCore.QObject):
         """Ask for `who`, in place of its earlier request."""
         same = who in self._asked and self._asked[who].parts.keys() == asked.parts.keys()
         self._asked[who] = asked
-        if self._current is None or (self._current == who and not same):
+        goes_before = self._current in self._asked and self._asked[self._current].can_wait and not asked.can_wait
+        if self._current is None or (self._current == who and not same) or (goes_before and self._current != who):
             self._send(who)
 
     def forget(self, who: Any) -> None:
@@ -79,7 +84,7 @@ class CutProcess(QtCore.QObject):
         """Turn to the next who asks; outdated: the process still works on something that nobody wants."""
         self._current = None
         if self._asked:
-            self._send(next(iter(self._asked)))
+            self._send(min(self._asked, key=lambda who: self._asked[who].can_wait))
         elif outdated:
             self._mark += 1
             self._write({})

@@ -55,6 +55,13 @@ class Fits:
 
 
 @dataclass(frozen=True)
+class Planned:
+    """The planned time of an operation's own moves."""
+
+    time_s: float
+
+
+@dataclass(frozen=True)
 class TextCurves:
     """The curves of a text."""
 
@@ -66,7 +73,7 @@ class TextCurves:
         return sum(curve.xy.nbytes + curve.bulge.nbytes for curve in self.curves)
 
 
-Answer = Cut | Programs | Fits | TextCurves | CNCStepperError
+Answer = Cut | Planned | Programs | Fits | TextCurves | CNCStepperError
 
 _answers: OrderedDict[str, Answer] = OrderedDict()
 _paths: dict[str, str] = {}  # by the key of a program's text
@@ -105,7 +112,7 @@ def may_ask(key: str) -> bool:
     return key not in _answers or (key in _failed_s and time.monotonic() - _failed_s[key] > RETRY_S)
 
 
-def answer_to(question: dict[str, Any]) -> Cut | Programs | Fits | TextCurves | None:
+def answer_to(question: dict[str, Any]) -> Cut | Planned | Programs | Fits | TextCurves | None:
     """Return what is known of a question, None where nothing is; raises the CNCStepperError that refused it."""
     answer = known(key_of(question))
     if isinstance(answer, CNCStepperError):
@@ -165,4 +172,6 @@ def _answer(content: dict[str, Any]) -> Answer:
         return TextCurves(tuple(unpacked_curves(content["curves"])))
     if "texts" in content:
         return Programs(tuple((name, text) for name, text in content["texts"]), tuple(content["paths"]))
+    if "time_s" in content:
+        return Planned(content["time_s"])
     return Cut(dict(content["figures"]), tuple(content["warnings"]))

@@ -25,24 +25,44 @@ def register() -> tuple[list[str], list[str], list[str]]:
     from CNCStepper.workbench.commands.help import Help
     from CNCStepper.workbench.commands.job import ImportTools, NewJob
     from CNCStepper.workbench.commands.job_files import ExportJob, OpenJob
-    from CNCStepper.workbench.commands.machines import Assistant, Letters, Machines
+    from CNCStepper.workbench.commands.machines import Assistant, Letters, Library, Machines
     from CNCStepper.workbench.commands.packages import Install
-    from CNCStepper.workbench.commands.program import Arrange, Controller, EditProgram, OpenProgram, Send, Simulate
+    from CNCStepper.workbench.commands.program import (
+        Arrange,
+        Controller,
+        EditProgram,
+        OpenProgram,
+        SaveProgram,
+        Send,
+        Simulate,
+    )
     from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING
     from CNCStepper.workbench.commands.turning import COMMANDS as TURNING
 
     drawing = (NewJob(), ImportTools(), ImportDrawing(), Template(), Text(), Shapes(), Slice(), Nest(), Freehand())
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
     sheets = _made(operations.SHEETS)
-    machine = (EditProgram(), OpenProgram(), Arrange(), Simulate(), Send(), Controller(), Machines(), Letters())
+    program = (EditProgram(), OpenProgram(), SaveProgram(), Arrange(), Simulate(), Send())
+    machine = (*program, Controller(), Machines(), Library(), Letters())
     order, files = _made(ORDERING), (OpenJob(), ExportJob())
-    setting_up = (FirstSteps(), Assistant(), Install(), Help())
+    setting_up, manual = (FirstSteps(), Assistant(), Install()), (Help(),)
     turning = _made(TURNING)
-    for command in (*drawing, *areas, *lines_and_holes, *sheets, *turning, *order, *machine, *files, *setting_up):
+    for command in (
+        *drawing,
+        *areas,
+        *lines_and_holes,
+        *sheets,
+        *turning,
+        *order,
+        *machine,
+        *files,
+        *setting_up,
+        *manual,
+    ):
         FreeCADGui.addCommand(command.name, command)
     kinds = (drawing, areas, lines_and_holes, sheets)
-    menu = _names(*kinds, order, machine, files, setting_up)
-    return _names(*kinds, machine), menu, _names(turning)
+    menu = _names(*kinds, order, machine, files, (*setting_up, *manual))
+    return _names(*kinds, machine, manual), menu, _names(turning)
 
 
 def _made(kinds: Iterable[type[Command]]) -> tuple[Command, ...]:

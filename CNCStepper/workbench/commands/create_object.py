@@ -19,7 +19,7 @@ from CNCStepper.job.deferred_fitting import Unfitted, only_looking
 from CNCStepper.machine.processes import MILLING
 from CNCStepper.machine.tools.tool_shapes import SHAPES, SUITED
 from CNCStepper.workbench.calculation import result_cache
-from CNCStepper.workbench.document import default_values, targets
+from CNCStepper.workbench.document import default_values, targets, undo_steps
 from CNCStepper.workbench.document.selection import Pair, selected_drawings
 from CNCStepper.workbench.features.cycle_operation import CycleOperation as Feature
 from CNCStepper.workbench.services import missing_packages
@@ -40,7 +40,7 @@ def create(document: Any, title: str, make: Callable[[], Any]) -> None:
     from CNCStepper.workbench.panels import open_panel
 
     freehand.leave()
-    document.openTransaction(title)
+    undo_steps.begin(document, title)
     try:
         open_panel(make())
     except Exception:

@@ -69,6 +69,6 @@ class ImportTools(Command):
 
     def run(self) -> None:
         """Ask for the file."""
-        from CNCStepper.workbench.document import tool_import
+        from CNCStepper.workbench.document.tools import tool_import
 
         tool_import.ask(targets.job(), done=lambda: None)

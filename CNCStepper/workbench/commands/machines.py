@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of machines: the assistant, their profiles, and pulse letters."""
+"""The commands of the shop: the machine assistant, profiles, tools and materials, and pulse letters."""
 
 from __future__ import annotations
 
@@ -44,6 +44,26 @@ class Assistant(Command):
         from CNCStepper.workbench.assistant import open_assistant
 
         open_assistant()
+
+
+class Library(Command):
+    """Opens the user's own tools, materials and cut charts."""
+
+    name = "CNCStepper_Library"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Library", "Tools and materials…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Library", "Your own tools, materials and cut charts: search, edit, import and export them"
+    )
+
+    def why_not(self) -> str:
+        """Return why no table can be read."""
+        return missing_packages.why_not()
+
+    def run(self) -> None:
+        """Open the dialog."""
+        from CNCStepper.workbench.libraries import open_libraries
+
+        open_libraries()
 
 
 class Letters(Command):

@@ -58,6 +58,23 @@ class OpenProgram(Command):
             editor.open_file(path)
 
 
+class SaveProgram(Command):
+    """Saves the program of a job."""
+
+    name = "CNCStepper_SaveProgram"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_SaveProgram", "Save program…")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_SaveProgram", "Saves the program of the job as a file for the machine")
+
+    def why_not(self) -> str:
+        """Return why there is no program of a job."""
+        no_job = missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
+        return no_job or targets.why_no_program(targets.job())
+
+    def run(self) -> None:
+        """Ask for a file and write the program into it."""
+        prove_program.save_as(targets.job())
+
+
 class Arrange(Command):
     """Places programs on the work surface, as one program."""
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.document import targets, undo_steps
 from CNCStepper.workbench.document.operation_order import can_step, duplicate, is_operation, job_of, step
 from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, later, tr
@@ -41,7 +41,7 @@ class Ordering(Command):
     def act(self, operations: Sequence[Any]) -> None:
         """Do it with these operations, in one undo step."""
         document = operations[0].Document
-        document.openTransaction(self.text())
+        undo_steps.begin(document, self.text())
         try:
             self.change(operations)
         except Exception:

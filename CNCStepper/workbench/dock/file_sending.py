@@ -103,7 +103,7 @@ def _new_job(job: Any, choice: Any, path: Path, machine: str) -> Any:
 
     from CNCStepper.workbench import api
     from CNCStepper.workbench.document.stock_of_job import size_mm
-    from CNCStepper.workbench.freehand.mode import undo_step
+    from CNCStepper.workbench.document.undo_steps import undo_step
 
     document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
     values: dict[str, Any] = {"process": choice.process, "material": choice.material, "consumable": choice.consumable}

@@ -13,7 +13,7 @@ from typing import Any
 
 from CNCStepper.errors import JobError
 from CNCStepper.job.chart_tools import filled, tool_keys
-from CNCStepper.machine.cut_charts import cut_data_for, material_key, read_chart, shipped_chart
+from CNCStepper.machine.cut_charts import cut_data_for, known_chart, material_key, read_chart
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.feeds_and_speeds import with_feeds
 from CNCStepper.machine.materials import material
@@ -62,7 +62,7 @@ def rows_for(process: str, job: Any) -> Sequence[CutData]:
     """Return the rows that a job object's chart has for a process, () for milling; raises JobError."""
     if not PROCESSES[process].uses_chart:
         return ()
-    rows = _own_chart(job) if job.Chart else shipped_chart(process)
+    rows = _own_chart(job) if job.Chart else known_chart(process)
     return [row for row in rows if row.process == process]
 
 

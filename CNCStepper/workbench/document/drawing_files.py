@@ -16,6 +16,7 @@ from typing import Any
 
 from CNCStepper.control.processes.background_thread import in_background
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.document import undo_steps
 from CNCStepper.workbench.document.drawing_work import DrawingWork
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.features.drawings.drawing import (
@@ -128,7 +129,7 @@ def reload(obj: Any) -> None:
     from CNCStepper.workbench.services import messages
 
     document = obj.Document
-    document.openTransaction(tr("Reload {0}").format(obj.Label))
+    undo_steps.begin(document, tr("Reload {0}").format(obj.Label))
 
     def done() -> None:
         document.commitTransaction()

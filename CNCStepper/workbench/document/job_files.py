@@ -17,6 +17,7 @@ import numpy as np
 from CNCStepper.errors import CNCStepperError, JobError, Place, Text
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench import packages
+from CNCStepper.workbench.document import undo_steps
 from CNCStepper.workbench.document.turning.turning_files import export_turning_job, open_turning_job
 from CNCStepper.workbench.drawings.exact_curves import ROUNDING_MM
 from CNCStepper.workbench.features.base import LATHE_JOB, edit, proxy_type
@@ -69,7 +70,7 @@ def open_job(document: Any, path: str | Path) -> tuple[Any, list[str]]:
 
 def open_as_one_step(document: Any, path: str, text: str) -> None:
     """Make the objects of a job file as one undo step with that text, bring them into view, and say what they lack."""
-    document.openTransaction(text)
+    undo_steps.begin(document, text)
     try:
         _, notes = open_job(document, path)
         document.recompute()

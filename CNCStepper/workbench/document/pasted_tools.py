@@ -11,6 +11,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+from CNCStepper.workbench.document import undo_steps
 from CNCStepper.workbench.features.base import is_job
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
@@ -37,7 +38,7 @@ def _remove(document_name: str, name: str) -> None:
         return
     title = tr("Use the tool of the job")
     _titles.add(title)
-    document.openTransaction(title)
+    undo_steps.begin(document, title)
     for job in tool.InList:
         job.Tools = [other for other in job.Tools if other is not tool]
     document.removeObject(name)

@@ -68,7 +68,7 @@ def take() -> Any:
 def of_file(job: Any, path: Any) -> Any:
     """Return the program of a G-code file, kept in the job's document in one undo step."""
     from CNCStepper.workbench import api
-    from CNCStepper.workbench.freehand.mode import undo_step
+    from CNCStepper.workbench.document.undo_steps import undo_step
 
     with undo_step(job.Document, tr("Load {0}").format(path.name)):
         return api.load_program(job, path)

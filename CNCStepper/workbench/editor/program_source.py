@@ -13,7 +13,7 @@ from typing import Any
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.gcode.syntax.text_format import FileForm
-from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.document import program_file, undo_steps
 from CNCStepper.workbench.editor.reader_client import Language
 from CNCStepper.workbench.features.base import is_job
 from CNCStepper.workbench.features.program import job_behind
@@ -137,7 +137,7 @@ class ObjectSource:
         if not self.alive:
             what = "the object of this program is no longer there"
             raise JobError("object-gone", what, advice="save it as a file")
-        self.document.openTransaction(tr("Edit {0}").format(self.obj.Label))
+        undo_steps.begin(self.document, tr("Edit {0}").format(self.obj.Label))
         try:
             kept = self._kept(text)
         except Exception:

@@ -7,8 +7,9 @@ from typing import Any
 
 from CNCStepper.errors import JobError
 from CNCStepper.workbench import api, packages
+from CNCStepper.workbench.document.undo_steps import undo_step
 from CNCStepper.workbench.freehand.drawing_plane import PlaneView, working_plane
-from CNCStepper.workbench.freehand.mode import Mode, say, undo_step
+from CNCStepper.workbench.freehand.mode import Mode, say
 from CNCStepper.workbench.freehand.stroke import Point, Stroke
 from CNCStepper.workbench.services.translation import tr
 

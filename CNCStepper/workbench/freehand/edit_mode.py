@@ -9,9 +9,10 @@ from typing import Any
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.workbench import api, packages
+from CNCStepper.workbench.document.undo_steps import undo_step
 from CNCStepper.workbench.freehand.draw_mode import active_view
 from CNCStepper.workbench.freehand.drawing_plane import PlaneView
-from CNCStepper.workbench.freehand.mode import Mode, say, undo_step
+from CNCStepper.workbench.freehand.mode import Mode, say
 from CNCStepper.workbench.freehand.stroke import Point
 from CNCStepper.workbench.services.translation import tr
 

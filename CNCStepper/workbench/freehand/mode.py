@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import Any
 
 from CNCStepper.workbench.freehand.stroke import Point
@@ -75,18 +74,6 @@ class Mode:
         """Leave with the document; FreeCAD calls this."""
         if document.Name == self._document_name:
             self.leave()
-
-
-@contextmanager
-def undo_step(document: Any, name: str) -> Iterator[None]:
-    """Make one undo step of what happens inside; an error takes it back."""
-    document.openTransaction(name)
-    try:
-        yield
-    except BaseException:
-        document.abortTransaction()
-        raise
-    document.commitTransaction()
 
 
 def say(text: str) -> None:

@@ -53,6 +53,7 @@ GUIDE_PAGES = (
     Guide("orders.md", later("Orders")),
     Guide("editing.md", later("Editing programs")),
     Guide("machines.md", later("Machines")),
+    Guide("libraries.md", later("Tools, materials and cut charts")),
     Guide("machine-assistant.md", later("Machine assistant")),
     Guide("sending/README.md", later("Sending")),
     Guide("sending/send-file.md", later("Send a file")),

@@ -6,6 +6,7 @@ from __future__ import annotations
 import gc
 from typing import Any
 
+from CNCStepper.workbench.document import undo_steps
 from CNCStepper.workbench.services.translation import tr
 
 
@@ -25,7 +26,7 @@ def open_panel(obj: Any) -> None:
 
     _leave_what_is_loaded()  # before a person types
     if FreeCAD.getActiveTransaction() is None:
-        obj.Document.openTransaction(tr("Edit {0}").format(obj.Label))
+        undo_steps.begin(obj.Document, tr("Edit {0}").format(obj.Label))
     panel = panel_of(obj)
     FreeCADGui.Control.showDialog(panel)
     panel.focus_first()
@@ -41,7 +42,7 @@ def edit(obj: Any) -> None:
         messages.note(reason)
         return
     freehand.leave()
-    obj.Document.openTransaction(tr("Edit {0}").format(obj.Label))
+    undo_steps.begin(obj.Document, tr("Edit {0}").format(obj.Label))
     try:
         open_panel(obj)
     except Exception:

@@ -147,17 +147,21 @@ class Form(QtGui.QWidget):
         else:
             layout.addRow(field.label, field.widget)
 
-    def _add_result(self, entry: Property) -> None:
+    def add_result(self, group: str, key: str, label: str, tip: str) -> Any:
+        """Add a line that shows a text to a group; label, tip: in the user's language."""
         value = QtGui.QLabel(self)
-        value.setObjectName(f"{NAME}_{entry.key}")
+        value.setObjectName(f"{NAME}_{key}")
         value.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
-        label = QtGui.QLabel(tr(entry.label), self)
-        for widget in (label, value):
-            widget.setToolTip(tr(entry.text))
+        name = QtGui.QLabel(label, self)
+        for widget in (name, value):
+            widget.setToolTip(tip)
         value.setContentsMargins(0, GAP_PX, 0, GAP_PX)
-        self.results[entry.key] = value
-        self._always.add(entry.group)
-        _layout(self.box(entry.group)).addRow(label, value)
+        self._always.add(group)
+        _layout(self.box(group)).addRow(name, value)
+        return value
+
+    def _add_result(self, entry: Property) -> None:
+        self.results[entry.key] = self.add_result(entry.group, entry.key, tr(entry.label), tr(entry.text))
 
 
 def align_labels(layouts: list[Any]) -> None:

@@ -12,12 +12,14 @@ from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document import default_values
 from CNCStepper.workbench.document.clamps import outline_of
-from CNCStepper.workbench.features.base import edit, problem_of, proxy_type
-from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, note_label
+from CNCStepper.workbench.features.base import edit, is_tool, problem_of, proxy_type
+from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, note_label
+from CNCStepper.workbench.panels.planned_times import PlannedTimes
 from CNCStepper.workbench.panels.tools.tool_words import tool_words
 from CNCStepper.workbench.services.icons import icon
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.messages import guarded, note
+from CNCStepper.workbench.services.number_format import planned_text
 from CNCStepper.workbench.services.translation import tr
 
 FEWEST_ROWS, MOST_ROWS = 2, 5  # that are seen at once
@@ -92,9 +94,10 @@ class ObjectList(QtGui.QWidget):
             self.list.addItem(item)
         self.list.setCurrentRow(min(row, self.list.count() - 1))
         self.list.blockSignals(False)
-        row_px = max(self.list.sizeHintForRow(0), self.fontMetrics().height() + SPARE_PX)
-        rows = min(max(self.list.count(), FEWEST_ROWS), MOST_ROWS)
-        self.list.setFixedHeight(rows * row_px + 2 * self.list.frameWidth() + SPARE_PX)
+        least_px = self.fontMetrics().height() + SPARE_PX
+        rows = range(min(max(self.list.count(), FEWEST_ROWS), MOST_ROWS))
+        rows_px = sum(max(self.list.sizeHintForRow(row), least_px) for row in rows)
+        self.list.setFixedHeight(rows_px + 2 * self.list.frameWidth() + SPARE_PX)
 
     def words(self, obj: Any) -> str:
         """Return how an object is listed."""
@@ -109,10 +112,19 @@ class ObjectList(QtGui.QWidget):
 
 
 class OperationList(ObjectList):
-    """The operations in the order in which they are cut; the ones checked are in the program."""
+    """The operations in the order in which they are cut, each with tool, time and warnings; checked: in the program."""
 
     def __init__(self, job: Any, parent: Any):
         super().__init__(job, "operations", parent)
+        self.total = QtGui.QLabel(self)
+        self.total.setObjectName(f"{self.name}_total")
+        self.total.setWordWrap(True)
+        self.total.setToolTip(
+            tr("The planned times of the checked operations, without tool changes and the ways between")
+        )
+        self.layout().insertWidget(1, self.total)
+        self.times = PlannedTimes(self.objects, self)
+        self.times.changed.connect(guarded(self.refresh))
         self.list.setToolTip(tr("Cut in this order; unchecked operations are left out of the program"))
         self.button("up", tr("Earlier"), tr("Cut it before the one above"), lambda: self.move(-1))
         self.button("down", tr("Later"), tr("Cut it after the one below"), lambda: self.move(1))
@@ -123,10 +135,30 @@ class OperationList(ObjectList):
         """Return the job's operations."""
         return list(self.job.Operations)
 
+    def words(self, obj: Any) -> str:
+        """Return an operation's label, below it tool and time, below them how many warnings it has."""
+        tool = f"T{obj.Tool.Number}" if is_tool(obj.Tool) else tr("no tool")
+        lines = [str(obj.Label), f"{tool} · {planned_text(self.times.time_s(obj))}"]
+        count = len(_warnings_of(obj))
+        return "\n".join([*lines, *([tr("{0} warnings").format(count)] if count else [])])
+
+    def refresh(self) -> None:
+        """Show the operations as they are now, and the time of all that are checked."""
+        super().refresh()
+        self.times.look()
+        times_s = [self.times.time_s(operation) for operation in self.objects() if operation.Active]
+        self.total.setText(tr("Together {0}").format(planned_text(sum(times_s) if all(times_s) else 0.0)))
+
     def show_details(self, item: Any, obj: Any) -> None:
-        """Let an entry be checked."""
+        """Let an entry be checked; its tooltip has the whole name of the tool and the warnings."""
         item.setFlags(item.flags() | QtCore.Qt.ItemFlag.ItemIsUserCheckable)
         item.setCheckState(CHECKED if obj.Active else UNCHECKED)
+        if problem_of(obj):
+            return
+        warnings = _warnings_of(obj)
+        item.setToolTip("\n".join([tool_words(obj.Tool) if is_tool(obj.Tool) else "", *warnings]).strip())
+        if warnings:
+            item.setForeground(QtGui.QColor(WARNING_COLOUR))
 
     def move(self, by: int) -> None:
         """Cut the marked operation earlier or later."""
@@ -144,6 +176,11 @@ class OperationList(ObjectList):
         self.changed.emit()
 
 
+def _warnings_of(operation: Any) -> list[str]:
+    """Return in the user's language what the last cut of an operation says that a person should know."""
+    return [translated(warning) for warning in operation.Proxy.warnings]
+
+
 class ToolList(ObjectList):
     """The tools that the job's operations may choose from."""
 
@@ -152,8 +189,13 @@ class ToolList(ObjectList):
         self.button("add", tr("Add tool"), tr("Add a tool to this job"), self.add)
         self.button("remove", tr("Remove tool"), tr("Delete the marked tool"), self.remove)
         if job.Proxy.TOOL == CUTTER:  # FreeCAD's library and tool tables hold no inserts
+            further = QtGui.QHBoxLayout()
+            self.layout().addLayout(further)
             tip = tr("Add the tools of FreeCAD's library or of a tool table")
-            self.layout().addWidget(self.button("import", tr("Import…"), tip, self.import_))  # in a line of its own
+            further.addWidget(self.button("import", tr("Import…"), tip, self.import_))
+            tip = tr("Add a tool of your own library, or keep the marked one there")
+            self.library = self.button("library", tr("Library…"), tip, self.show_library)
+            further.addWidget(self.library)
         self.refresh()
 
     def objects(self) -> list[Any]:
@@ -177,9 +219,35 @@ class ToolList(ObjectList):
         self.choose(tool)
         self.changed.emit()
 
+    def show_library(self) -> None:
+        """List the tools of the user's library in a menu, and that the marked tool can be kept there."""
+        from CNCStepper.workbench.document.tools import library_of_job
+
+        menu = QtGui.QMenu(self.library)
+        menu.setObjectName(f"{self.name}_library_menu")
+        for stored in library_of_job.library_tools():
+            entry = menu.addAction(f"T{stored.number}  {stored.name}")
+            entry.triggered.connect(guarded(lambda *_, stored=stored: self.take_stored(stored)))
+        menu.addSeparator()
+        keep = menu.addAction(tr("Keep the marked tool"))
+        keep.setEnabled(self.chosen() is not None)
+        keep.triggered.connect(guarded(lambda *_: self.keep()))
+        menu.popup(self.library.mapToGlobal(self.library.rect().bottomLeft()))
+
+    def take_stored(self, stored: Any) -> None:
+        """Add a tool of the library, and mark it."""
+        api.add_stored_tool(self.job, stored)
+        self.imported()
+
+    def keep(self) -> None:
+        """Put a copy of the marked tool into the user's library."""
+        from CNCStepper.workbench.document.tools import library_of_job
+
+        note(tr("{0} is tool {1} of the library").format(self.chosen().Label, library_of_job.keep(self.chosen())))
+
     def import_(self) -> None:
         """Ask for a file of tools, and list them."""
-        from CNCStepper.workbench.document import tool_import
+        from CNCStepper.workbench.document.tools import tool_import
 
         tool_import.ask(self.job, self.imported)
 

@@ -23,6 +23,7 @@ from CNCStepper.workbench.calculation.cut_process import CutRequest, process
 from CNCStepper.workbench.calculation.precalculation import Look, look_at
 from CNCStepper.workbench.calculation.recompute import remake, steps
 from CNCStepper.workbench.features.base import FAILED, STALE, edit, named, problem_of, proxy_type, values
+from CNCStepper.workbench.features.cycle_operation import OPERATION_GROUP, CycleOperation
 from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.help.topics import object_address
 from CNCStepper.workbench.panels import remedies
@@ -37,11 +38,13 @@ from CNCStepper.workbench.panels.field_errors import (
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, Field, RemedyBar, note_label
 from CNCStepper.workbench.panels.form import Form
 from CNCStepper.workbench.panels.number_input import Refused
+from CNCStepper.workbench.panels.planned_times import PlannedTimes
 from CNCStepper.workbench.panels.unit_values import text_of
 from CNCStepper.workbench.services.findings_list import sentence
 from CNCStepper.workbench.services.jit_guard import LONG, WAITS
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.number_format import planned_text
 from CNCStepper.workbench.services.translation import tr
 
 PAUSE_MS = 20  # between two keys of one that types fast
@@ -91,12 +94,24 @@ class Editor(QtGui.QWidget):
         order = (self.of_stock, "stock", self.form, self.warnings, "warnings", self.problem, "refusal")
         for widget in (self.mends[part] if isinstance(part, str) else part for part in order):
             column.addWidget(widget)
+        self._show_time()
         self._gone = gone = [False]  # FreeCAD may close the panel without OK or Cancel, as it does with a document
         self.destroyed.connect(lambda: gone.__setitem__(0, True))
         f1_key.attach(self, object_address(proxy_type(obj)))
         process().prepare()
         self.form.refresh()
         self.apply()
+
+    def _show_time(self) -> None:
+        """Give an operation a line with its planned time, which follows what is typed."""
+        self.times: PlannedTimes | None = None
+        if not isinstance(self.obj.Proxy, CycleOperation):
+            return
+        tip = tr("The planned time of its own moves; the way to them and the tool change are not in it")
+        line = self.form.add_result(OPERATION_GROUP, "time", tr("Time"), tip)
+        self.times = times = PlannedTimes(lambda: [self.obj], self)
+        times.changed.connect(lambda: line.setText(planned_text(times.time_s(self.obj))))
+        line.setText(planned_text(0.0))
 
     def flush(self) -> bool:
         """Apply what was typed last; return whether all is good, else the keyboard is where it is not.
@@ -115,6 +130,8 @@ class Editor(QtGui.QWidget):
         self.timer.blockSignals(True)
         self.waiting, self.then, self._steps = False, None, None
         process().forget(self)
+        for times in self.findChildren(PlannedTimes):
+            times.stop()
         for field in self.form.fields.values():
             for editor in field.editors:
                 editor.blockSignals(True)
@@ -183,6 +200,8 @@ class Editor(QtGui.QWidget):
     def _settled(self) -> None:
         """Tell that nothing is waited for, and do what was to happen then."""
         self.applied.emit()
+        if self.times is not None:
+            self.times.look()
         then, self.then = self.then, None
         if then is not None and not self.refused:
             then()

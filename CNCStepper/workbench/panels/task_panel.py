@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from PySide import QtCore, QtGui
@@ -11,15 +12,49 @@ from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.panels.fields import NAME
 from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.translation import tr
 
 LOOK_MS, LOOKS = 20, 100  # how often it is looked whether FreeCAD shows the panel, and how many times
 
 
+class _UndoObserver:
+    """Calls `undone` after each undo and redo in a document: FreeCAD ends the transaction that is open."""
+
+    def __init__(self, document: str, undone: Callable[[], None]):
+        import FreeCAD
+
+        self._document, self._undone, self._watches = document, undone, True
+        FreeCAD.addDocumentObserver(self)
+
+    def end(self) -> None:
+        """Watch no longer."""
+        import FreeCAD
+
+        if self._watches:
+            self._watches = False
+            FreeCAD.removeDocumentObserver(self)
+
+    def slotUndoDocument(self, document: Any) -> None:
+        """FreeCAD calls this after an undo."""
+        if document.Name == self._document:
+            QtCore.QTimer.singleShot(0, self._undone)
+
+    def slotRedoDocument(self, document: Any) -> None:
+        """FreeCAD calls this after a redo."""
+        self.slotUndoDocument(document)
+
+
 class Panel:
-    """The interface for FreeCAD's task view; the transaction is open already."""
+    """The interface for FreeCAD's task view; the transaction is open already.
+
+    An undo or redo while the panel is open ends that transaction: what follows belongs to a new one. An object that is
+    gone then takes its panel along.
+    """
 
     def __init__(self, obj: Any, editor: Editor):
-        self.document = obj.Document.Name
+        self.document, self._name, self._closed = obj.Document.Name, obj.Name, False
+        self._undos = _UndoObserver(self.document, guarded(self._begin_again))
+        editor.destroyed.connect(self._undos.end)  # FreeCAD may close the panel without OK or Cancel
         self.editors = [editor]
         self.form = editor
         editor.setWindowTitle(obj.Label)
@@ -77,6 +112,21 @@ class Panel:
             if not editor.isAncestorOf(QtGui.QApplication.focusWidget()):  # where a person was quicker, it stays
                 editor.form.focus_first()
 
+    def _begin_again(self) -> None:
+        document = self._document()
+        if self._closed or document is None:
+            return
+        obj = document.getObject(self._name)
+        if obj is None:
+            for editor in self.editors:
+                editor.stop()
+            self._close()
+            return
+        document.openTransaction(tr("Edit {0}").format(obj.Label))
+        for editor in self.editors:
+            editor.refresh()
+            editor.remake()
+
     def _document(self) -> Any:
         """Return the object's document, or None when it was closed meanwhile."""
         import FreeCAD
@@ -86,6 +136,8 @@ class Panel:
     def _close(self) -> None:
         import FreeCADGui
 
+        self._closed = True
+        self._undos.end()
         if self._document() is not None:
             FreeCADGui.getDocument(self.document).resetEdit()
         FreeCADGui.Control.closeDialog()

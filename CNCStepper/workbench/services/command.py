@@ -63,6 +63,7 @@ class Command:
     @guarded
     def Activated(self, index: int = 0) -> None:
         """Do what the command is for; a refusal is shown."""
+        note_in_macro(self.name)
         self.run()
 
     def _explain(self, sentence: str) -> None:
@@ -75,6 +76,17 @@ class Command:
             if present != wanted:
                 action.setToolTip(wanted)
             self._shown_tooltip = wanted
+
+
+def note_in_macro(name: str) -> None:
+    """Say in a macro that is being recorded which command was chosen, as a comment.
+
+    FreeCAD records a command without a line of its own as one that runs again: that would open its panel, or the
+    machine would move. What a command does to the document is recorded by `document/macro_recorder.py`.
+    """
+    import FreeCADGui
+
+    FreeCADGui.doCommand(f"# {name}")
 
 
 def look_again(*names: str) -> None:

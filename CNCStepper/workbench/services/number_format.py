@@ -77,6 +77,11 @@ def clock_text(time_s: float) -> str:
     return f"{hours}:{minutes:02d}:{seconds:02d}" if hours else f"{minutes}:{seconds:02d}"
 
 
+def planned_text(time_s: float) -> str:
+    """Return a planned time as on a clock; a dash for 0, which stands for one that is not known."""
+    return clock_text(time_s) if time_s else NOTHING
+
+
 def steps_text(steps: Sequence[int]) -> str:
     """Return where the motors stand, in steps."""
     places = (f"{name} {count}" for name, count in zip("XYZ", steps, strict=False))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
 
-from CNCStepper.workbench.freehand.mode import undo_step
+from CNCStepper.workbench.document.undo_steps import undo_step
 from CNCStepper.workbench.panels.view_task_panel import ViewTask
 from CNCStepper.workbench.proving import latest_proof
 from CNCStepper.workbench.proving.proof_process import ProofResult, ProofRun

@@ -21,7 +21,7 @@ from CNCStepper.job.templates.template_files import template_folder, template_pa
 from CNCStepper.machine.files.profile_files import SUFFIX
 from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.document import targets, undo_steps
 from CNCStepper.workbench.document.template_jobs import TemplateQuestion, asked_of, made, new_template
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.drawings.drawing import path_of
@@ -284,7 +284,7 @@ class TemplatePanel:
             self._close()
             return
         job = document.getObject(self.job.itemData(self.job.currentIndex())) if self.job.currentIndex() else None
-        document.openTransaction(tr("Template"))
+        undo_steps.begin(document, tr("Template"))
         try:
             made(self.drawing, answer, job)
             document.recompute()

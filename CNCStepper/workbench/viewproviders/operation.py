@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from functools import partial
 
+from CNCStepper.workbench.document import undo_steps
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.viewproviders.base import Entry, ViewProvider
 
@@ -34,7 +35,7 @@ class Operation(ViewProvider):
     def switch(self) -> None:
         """Leave the operation out of the program, or take it in again."""
         document = self.obj.Document
-        document.openTransaction(tr("Switch {0}").format(self.obj.Label))
+        undo_steps.begin(document, tr("Switch {0}").format(self.obj.Label))
         self.obj.Active = not self.obj.Active
         document.commitTransaction()
         document.recompute()

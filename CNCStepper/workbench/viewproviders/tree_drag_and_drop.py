@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.document import targets, undo_steps
 from CNCStepper.workbench.document.operation_order import duplicate, is_operation, job_of, move
 from CNCStepper.workbench.features.base import TOOLS, is_job, proxy_type
 from CNCStepper.workbench.services import messages
@@ -45,7 +45,7 @@ class Drop:
     def carry_out(self) -> None:
         """Order the operations, in one undo step."""
         document = self.job.Document
-        document.openTransaction(tr("Duplicate operations") if self.copies else tr("Move operations"))
+        undo_steps.begin(document, tr("Duplicate operations") if self.copies else tr("Move operations"))
         moved = duplicate(self.operations) if self.copies else self.operations
         move(self.job, moved, self.beside, self.after)
         document.commitTransaction()

@@ -12,6 +12,7 @@ from CNCStepper.errors import JobError
 from CNCStepper.geometry.curve import Curve
 
 ROOT = Path(__file__).parents[3]
+DIGITS = "1" * 200_000 + "!,1"  # read in one go
 
 
 def read(folder: Path, content: str | bytes, closed: bool = False) -> Curve:
@@ -50,7 +51,23 @@ def test_the_map_of_brazil() -> None:
 
 @pytest.mark.parametrize(
     "line",
-    ["nan,1", "1,inf", "abc", "1", "1,2,3", "12,5,7,25", "1.234,5;2", "1_0,2", "1,", ";", "1 2", "x", "1,y", "٣,1"],
+    [
+        "nan,1",
+        "1,inf",
+        "abc",
+        "1",
+        "1,2,3",
+        "12,5,7,25",
+        "1.234,5;2",
+        "1_0,2",
+        "1,",
+        ";",
+        "1 2",
+        "x",
+        "1,y",
+        "٣,1",
+        "1" * 200_000 + "!,1",
+    ],
 )
 def test_a_line_that_is_no_point_is_named(tmp_path: Path, line: str) -> None:
     with pytest.raises(JobError, match=r"peça nº 1\.csv:3: not a point: .*write x,y in mm"):

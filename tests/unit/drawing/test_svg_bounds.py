@@ -16,6 +16,7 @@ from CNCStepper.errors import JobError
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="50mm" viewBox="0 0 100 50">'
 BOX = '<rect width="5" height="4"/>'
+GROWN = f'<!DOCTYPE svg [<!ENTITY x "{"x" * 200}">]>{HEAD}{BOX}<text>%s</text></svg>'
 LONGEST_S, MOST_BYTES = 20.0, 400_000_000
 
 
@@ -68,6 +69,16 @@ def test_what_would_take_too_long_is_refused(tmp_path: Path, name: str) -> None:
     assert refusal.value.code == code
 
 
+def test_what_entities_add_to_a_file_is_counted_before_it_is_parsed(tmp_path: Path) -> None:
+    path = tmp_path / "entities.svg"
+    often = 4_000_000 // 200
+    path.write_text(GROWN % "".join("&x;" for _ in range(often + 1)), "utf-8")
+    with pytest.raises(JobError, match=r"too many characters with its entities in their places.*limit 4000000"):
+        bounded(lambda: read_drawing(path, ReadOptions()))
+    path.write_text(GROWN % "&x;", "utf-8")
+    assert len(read_drawing(path, ReadOptions()).chains) > 200
+
+
 def bounded(read: Callable[[], object]) -> None:
     """Call it; fail where it takes longer, or more memory, than anything may."""
     tracemalloc.start()
@@ -106,8 +117,11 @@ def bounded(read: Callable[[], object]) -> None:
         '<rect width="3" height="3" fill="' + "x" * 90_000 + '"/>',
         '<rect id="' + "\u202e" * 9000 + '" width="3" height="3"/>',
         f"<switch>{'<g/>' * 50_000}</switch>",
+        f'<path d="M0 0A{"2" * 200}"/>',
+        '<path d="M0 0A' + f"5 5 0 1 0 1 2{' ' * 70}" * 20_000 + 'x"/>',
+        f'<g transform="{" " * 300_000}scale("/>',
     ],
-    ids=range(23),
+    ids=range(26),
 )
 def test_senseless_things_do_not_keep_the_rest_from_being_read(tmp_path: Path, body: str) -> None:
     path = tmp_path / "hostile.svg"

@@ -170,6 +170,58 @@ def test_colours_fills_and_classes(tmp_path: Path) -> None:
     assert [(each.kind, each.why) for each in read.skipped] == [("rect", "it has neither a stroke nor a fill")]
 
 
+@pytest.mark.parametrize(
+    ("paint", "colour"),
+    [
+        ("rgb(0, 255, 0)", "#00ff00"),
+        ("rgba(0, 255, 0, 0.5)", "#00ff00"),
+        ("rgb(33.3% 10.5% 0%)", "#551b00"),
+        ("rgb(12.6 300 -4 / 50%)", "#0dff00"),
+        ("hsl(120, 100%, 50%)", "#00ff00"),
+        ("hsla(0.5turn 100% 50% / .5)", "#00ffff"),
+        ("hwb(120 0% 0%)", "#00ff00"),
+        ("hwb(120deg 20% 40% / 0.5)", "#339933"),
+        ("hwb(7 90% 30%)", "#bfbfbf"),
+        ("#F0F8", "#ff00ff"),
+        ("RebeccaPurple", "#663399"),
+        ("#cd853f icc-color(acmecmyk, 0.11, 0.48, 0.83, 0.00)", "#cd853f"),
+        ("lab(62% -34 47)", "#123456"),
+        ("rgb(1, 2)", "#123456"),
+    ],
+)
+def test_a_paint_that_is_no_colour_leaves_the_one_around_it(tmp_path: Path, paint: str, colour: str) -> None:
+    (chain,) = drawing(tmp_path, f'<g fill="#123456"><rect width="3" height="2" fill="{paint}"/></g>').chains
+    assert chain.attributes.colour == colour
+
+
+def test_what_is_marked_important_is_the_strongest(tmp_path: Path) -> None:
+    body = """<style>rect, path {fill: lime !important} .w {fill: red ! IMPORTANT} #i {fill: blue}</style>
+    <rect width="1" height="2" class="w" id="i" style="fill:teal"/>
+    <rect width="2" height="2" style="fill:teal !important"/><rect width="3" height="2" fill="red"/>
+    <circle r="3" fill="red" style="fill:blue;fill:nonsense"/>"""
+    colours = [chain.attributes.colour for chain in drawing(tmp_path, body).chains]
+    assert colours == ["#ff0000", "#008080", "#00ff00", "#0000ff"]
+
+
+def test_of_several_languages_one_is_read_and_told(tmp_path: Path) -> None:
+    body = """<switch><title/><rect systemLanguage="it" width="1" height="2"/>
+    <rect systemLanguage="de, en-US" width="2" height="2"/><rect width="3" height="2"/></switch>
+    <rect systemLanguage="it" width="4" height="2"/><foreignObject width="4" height="2"/>"""
+    read = drawing(tmp_path, body)
+    assert boxes(read) == [[0.0, 48.0, 2.0, 50.0]]
+    assert [(each.kind, each.why) for each in read.skipped] == [
+        ("rect", "it is of another language than English"),
+        ("foreignObject", "it is drawn by programs with extensions alone"),
+    ]
+    assert read.warnings == ("2 elements are for one language: those in English, or in none, are read",)
+
+
+@pytest.mark.parametrize("style", ["writing-mode:tb", "writing-mode:vertical-rl", "baseline-shift:super"])
+def test_texts_off_a_straight_line_are_told(tmp_path: Path, style: str) -> None:
+    read = drawing(tmp_path, f'<text y="20"><tspan style="{style}">i</tspan></text>')
+    assert "1 texts are written downwards, raised or lowered: they are set on a straight line" in read.warnings
+
+
 def test_layers_names_and_groups(tmp_path: Path) -> None:
     body = f"""<g inkscape:groupmode="layer" inkscape:label="Corte" id="layer1">
     <g id="inner" inkscape:label="Peça">{BOX}

@@ -16,6 +16,7 @@ from CNCStepper.job import request_digest
 from CNCStepper.job.cut_transfer import content_of, machine_content
 from CNCStepper.job.make import cut_operations, make_program
 from CNCStepper.job.model import load_job
+from CNCStepper.motion.planner.plan import begun, duration_s
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.services import jit_guard
 from CNCStepper.workers import cycle_cutting
@@ -44,8 +45,10 @@ def test_it_answers_what_the_core_makes(told: list[dict[str, Any]]) -> None:
     job, machine = one_operation()
     content, profile = content_of(job), machine_content(machine)
     program = {"program": content, "machine": profile, "title": "Part"}
-    answers = ask({"a": {"cut": content, "machine": profile}, "b": program}, told)
-    _, [answer] = cut_operations(job.on(machine))
+    cut = {"cut": content, "machine": profile}
+    answers = ask({"a": cut, "b": program, "c": {"time_of": cut}}, told)
+    moves, [answer] = cut_operations(job.on(machine))
+    assert answers["c"]["time_s"] == pytest.approx(duration_s(begun(moves), machine), rel=0.02)
     assert answers["a"] == {"figures": answer.figures, "warnings": answer.warnings}
     assert answers["b"]["texts"] == [("", make_program(job, machine, "Part").program)]
     assert "G1" in answers["b"]["paths"][0]

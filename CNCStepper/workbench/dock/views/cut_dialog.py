@@ -14,7 +14,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.machine.cut_charts import cut_data_for, material_key, shipped_chart
+from CNCStepper.machine.cut_charts import cut_data_for, known_chart, material_key
 from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench.dock.model.settings import decimal_point
@@ -104,7 +104,7 @@ class CutDialog(QtGui.QDialog):
 
     def _rows(self) -> Sequence[CutData]:
         process = self.process.currentData()
-        rows = shipped_chart(process) if self._begin.chart is None else self._begin.chart
+        rows = known_chart(process) if self._begin.chart is None else self._begin.chart
         return [row for row in rows if row.process == process]
 
     def _process_chosen(self) -> None:

@@ -4,7 +4,9 @@
 import numpy as np
 import pytest
 
-from CNCStepper.simulation.removal.heightmap import height_map
+from CNCStepper.machine.tools.tool_profile import Form
+from CNCStepper.simulation.removal.heightmap import Grid, Part, height_map
+from CNCStepper.simulation.removal.removal_moves import Moves
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.toolpath import ARC_CCW
 from helpers.simulation.programs import BALL, FLAT, begun
@@ -53,3 +55,16 @@ def test_cells_fill_the_stock_and_what_is_below_it_is_no_volume():
     part = height_map(begun().feed(0, 0, -30).toolpath(), FLAT, Stock((30, 20, 5)), 0.05)
     assert np.multiply(part.heights_mm.shape, part.cell_mm[::-1]).tolist() == pytest.approx([20, 30])
     assert part.removed_volume_mm3 == pytest.approx(5 * np.pi * R**2, rel=1e-3)
+
+
+def test_lines_over_ground_that_is_cut_already_leave_what_each_alone_does():
+    rng = np.random.default_rng(8)
+    way = np.column_stack([rng.uniform(-6, 6, (40, 2)), rng.choice([-0.7, -1.3], 40)])
+    points = np.vstack([way, way[::-1], way])
+    moves, uncut = Moves.lines(points[:-1], points[1:], Form(1.5, 1.5)), Part(Grid.of(Stock((12, 12, 3)), 0.07))
+    one_by_one = uncut
+    for k in range(len(moves)):
+        one_by_one = one_by_one.after(moves, k, k + 1)
+    together = uncut.after(moves)
+    assert np.array_equal(together.heights_mm(), one_by_one.heights_mm())
+    assert np.array_equal(together.means_mm(), one_by_one.means_mm())

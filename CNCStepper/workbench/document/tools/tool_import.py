@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.units import MM_PER_INCH
+from CNCStepper.workbench.document import undo_steps
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded, note, notice
 from CNCStepper.workbench.services.translation import tr
@@ -42,7 +43,7 @@ def _taken(job: Any, path: Path, unit_mm: float) -> tuple[list[Any], list[str]]:
 
     if FreeCAD.getActiveTransaction() is not None:
         return api.import_tools(job, path, unit_mm)
-    job.Document.openTransaction(tr("Import tools"))
+    undo_steps.begin(job.Document, tr("Import tools"))
     try:
         taken = api.import_tools(job, path, unit_mm)
     except Exception:

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What FreeCAD expects of a workbench: a recorded macro makes the same document, and its test framework runs ours."""
+
+from __future__ import annotations
+
+import io
+import unittest
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench import api
+from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.features.base import proxy_type, value_of
+from window_helpers.hand import Hand
+
+DRAWING = """<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="30mm" viewBox="0 0 40 30">
+<circle cx="9" cy="9" r="5"/></svg>"""
+
+
+@pytest.fixture
+def document(hand: Hand) -> Iterator[Any]:
+    """An empty document that keeps undo steps."""
+
+    def make() -> Any:
+        made = FreeCAD.newDocument("Macro")
+        made.UndoMode = 1
+        return made
+
+    yield hand.main(make)
+
+
+def later(act: Any) -> Any:
+    """Return what begins an act of FreeCAD's that may open a modal dialog, and does not wait for its end."""
+    return lambda: QtCore.QTimer.singleShot(0, act)
+
+
+def begin_recording(hand: Hand, folder: Path) -> Path:
+    """Start FreeCAD's own macro recording by its dialog; return the file to be written."""
+    hand.main(later(lambda: FreeCADGui.runCommand("Std_DlgMacroRecord")))
+    hand.wait(lambda: hand.exists("lineEditPath"), 10, "FreeCAD's dialog")
+    hand.fill("lineEditPath", "peca")
+    path = Path(hand.text("lineEditMacroPath")) / "peca.FCMacro"
+    hand.click("buttonStart")
+    hand.wait(lambda: not hand.exists("lineEditPath"), 10, "the recording")
+    return path
+
+
+def end_recording() -> None:
+    """Stop the recording; from FreeCAD 1.0 on the command that has begun it does so."""
+    stop = "Std_MacroStopRecord"
+    FreeCADGui.runCommand(stop if stop in FreeCADGui.Command.listAll() else "Std_DlgMacroRecord")
+
+
+def close_panel(hand: Hand) -> None:
+    """Press OK and wait until the panel is gone."""
+    hand.button("OK")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 30, "the panel to close")
+
+
+def open_panel(hand: Hand, command: str) -> None:
+    """Choose a command and wait for its panel."""
+    hand.command(command)
+    hand.wait(FreeCADGui.Control.activeDialog, 20, "the panel")
+
+
+def work(hand: Hand, document: Any, drawing: Path) -> None:
+    """Make, edit, order and delete as a person does."""
+    open_panel(hand, "CNCStepper_NewJob")
+    close_panel(hand)
+    for command in ("CNCStepper_RectangularPocket", "CNCStepper_CircularPocket"):
+        hand.tree("Job")
+        open_panel(hand, command)
+        close_panel(hand)
+    hand.tree("Rectangular pocket", double=True)
+    hand.wait(FreeCADGui.Control.activeDialog, 20, "the pocket's panel")
+    hand.fill("CNCStepper_Panel_depth_mm", "2.5")
+    close_panel(hand)
+    open_panel(hand, "CNCStepper_Shapes")
+    hand.item("CNCStepper_Panel_shapes", "Ring", double=True)
+    hand.wait(lambda: hand.exists("CNCStepper_Panel_outer_diameter_mm"), 10)
+    hand.fill("CNCStepper_Panel_outer_diameter_mm", "60")
+    close_panel(hand)
+    hand.main(lambda: api.add_text(document, "não gravado"))  # by a script: of no concern to the macro
+    hand.command("CNCStepper_ImportDrawing")
+    hand.wait(lambda: hand.exists("fileNameEdit"), 20, "the question which file")
+    hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(drawing)))
+    hand.click("fileNameEdit")
+    hand.key("Return")
+    hand.wait(lambda: [obj for obj in document.Objects if obj.Name.startswith("Contour")], 30, "the drawing")
+    close_panel(hand)
+
+
+def state(document: Any) -> dict[str, Any]:
+    """Return all that is in a document: properties of ours that a person sets, labels, shapes, programs."""
+    found = {}
+    for obj in document.Objects:
+        values = {"type": proxy_type(obj) or obj.TypeId, "label": obj.Label}
+        if proxy_type(obj):
+            values |= {entry.name: str(value_of(obj, entry)) for entry in obj.Proxy.PROPERTIES if not entry.output}
+        if hasattr(obj, "Shape"):
+            values["length"] = round(obj.Shape.Length, 9)
+        if proxy_type(obj) == "CNCStepper_Job":
+            values["program"] = program_file.load(obj)
+        found[obj.Name] = values
+    return found
+
+
+def test_a_recorded_macro_makes_the_same_document(hand: Hand, document: Any, tmp_path: Path) -> None:
+    drawing = tmp_path / "furo ç.svg"
+    drawing.write_text(DRAWING, "utf-8")
+    path = begin_recording(hand, tmp_path)
+    work(hand, document, drawing)
+    hand.main(end_recording)
+    hand.wait(path.is_file, 10, "the macro's file")
+    text = path.read_text("utf-8")
+    assert "Gui.runCommand('CNCStepper" not in text
+    wanted = hand.main(lambda: state(document))
+    again = hand.main(lambda: FreeCAD.newDocument("Again"))
+    hand.main(lambda: exec(compile(text, str(path), "exec"), {"__name__": "__main__"}), limit_s=120)
+    hand.wait(lambda: state(again) == expected(wanted), 60, "the same document")
+
+
+def expected(wanted: dict[str, Any]) -> dict[str, Any]:
+    """Return the state of a document without the text that a script has made."""
+    return {name: values for name, values in wanted.items() if values["type"] != "CNCStepper_Text"}
+
+
+def test_freecads_test_framework_runs_our_tests_of_the_window(hand: Hand) -> None:
+    name = "CNCStepper.workbench.unit_tests.test_gui"
+    said = io.StringIO()
+    assert name in FreeCAD.__unit_test__
+    tests = hand.main(lambda: unittest.defaultTestLoader.loadTestsFromName(name))
+    result = hand.main(lambda: unittest.TextTestRunner(stream=said).run(tests))
+    assert result.testsRun >= 2
+    assert result.wasSuccessful(), said.getvalue()
