@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from CNCStepper.cycles.sheet_cutting.sheet_model import SheetModel
+from CNCStepper.cycles.sheet_cutting.sheet_cut import SheetCut
 from CNCStepper.cycles.sheet_cutting.sheet_parameter_checks import measures_of
 from CNCStepper.errors import JobError, Text
 from CNCStepper.job.model import Job
@@ -15,7 +15,7 @@ def kerfs_mm(job: Job) -> dict[int, float]:
     return {
         number: measures_of(operation, job.setup(operation)).kerf_mm
         for number, operation in enumerate(job.operation, start=1)
-        if isinstance(operation, SheetModel)
+        if isinstance(operation, SheetCut)
     }
 
 
