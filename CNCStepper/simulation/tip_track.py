@@ -104,6 +104,13 @@ class TipTrack:
                 arcs.bend(point, np.array([row]), np.array([share]))
         return np.where(np.isfinite(point[0]), point[0], np.where(np.isfinite(begin), begin, end))
 
+    def tips_mm(self, rows: np.ndarray, shares: np.ndarray) -> np.ndarray:
+        """Return where the tip is, float64[n, 3], at shares of rows' ways; NaN where it is not known."""
+        points = self.begin[rows] + (self.end[rows] - self.begin[rows]) * shares[:, None]
+        for arcs in self._arcs:
+            arcs.bend(points, rows, shares)
+        return points
+
     def row_of_line(self, line: int) -> int:
         """Return the last row of a line of the file, or of the nearest line before it that moves; else the first."""
         return max(int(np.searchsorted(self._rising_lines, line, side="right")) - 1, 0)

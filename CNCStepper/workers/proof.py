@@ -1,21 +1,26 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The process that proves: `python -m CNCStepper.workers.proof FOLDER NAME`, the folder as in `proof_folder`,
-with what `restart_proof_folder` adds where the restart of a program is proven.
+"""The process that proves one program: `python -m CNCStepper.workers.proof`.
 
-It prints the stage that begins, one a line, and `part` once the cut part is in the folder.
-When its standard input is closed nobody waits for the answer any more: it takes the folder away and ends. NAME is the
-program's in findings. Its exit status is 0 when an answer stands in the folder, else 1: then `error.json` says why.
+It loads what a proof needs, prints `ready`, and waits for one line on standard input, in JSON: [FOLDER, NAME]. Where
+the line is there already it loads nothing beforehand. FOLDER is as in `proof_folder`, with what `restart_proof_folder`
+adds where the restart of a program is proven; NAME is the program's in findings. It prints the stage that begins, one
+a line, and `part` once the cut part is in the folder. Its exit status is 0 when an answer stands in the folder, else
+1: then `error.json` says why. When standard input is closed nobody waits any more: it takes the folder away and ends.
 """
 
 from __future__ import annotations
 
 import contextlib
+import io
+import json
 import os
 import shutil
 import sys
+import tempfile
 import threading
 import traceback
 from pathlib import Path
+from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError, JobError, MissingPackage, Text
@@ -24,10 +29,16 @@ if TYPE_CHECKING:
     from CNCStepper.simulation.removal.heightmap import HeightMap
 
 
-def main(arguments: list[str]) -> int:
-    """Prove the program of the folder `arguments[0]`, named `arguments[1]`; return the exit status."""
-    folder, name = Path(arguments[0]), arguments[1]
-    threading.Thread(target=_end_when_left, args=(folder,), daemon=True).start()
+WARM_UP_JOB = Path(__file__).with_name("kernel_warm_up.toml")
+ASKED_WITHIN_S = 0.05  # of the start, by whoever has a question already
+Asked = SimpleQueue[tuple[Path, str]]
+
+
+def main() -> int:
+    """Wait for a question, prove its program, and return the exit status."""
+    asked: Asked = SimpleQueue()
+    threading.Thread(target=_listen, args=(asked,), daemon=True).start()
+    folder, name = _question(asked)
     try:
         answer(folder, name)
     except CNCStepperError as error:
@@ -43,6 +54,16 @@ def main(arguments: list[str]) -> int:
         _refuse(folder, CNCStepperError("proof-fault", what, advice="please report it, with the program"))
         return 1
     return 0
+
+
+def _question(asked: Asked) -> tuple[Path, str]:
+    """Return the question, and load what a proof needs while there is none."""
+    try:
+        return asked.get(timeout=ASKED_WITHIN_S)
+    except Empty:
+        _warm_up()
+        _tell("ready")
+        return asked.get()
 
 
 def answer(folder: Path, name: str) -> None:
@@ -108,14 +129,41 @@ def _refuse(folder: Path, error: CNCStepperError) -> None:
     write_error(folder, error)
 
 
-def _end_when_left(folder: Path) -> None:
-    """End this process when nobody holds the other end of standard input any more."""
-    with contextlib.suppress(OSError):
-        while os.read(0, 1):  # not sys.stdin: its lock would be held when the interpreter ends
-            pass
-    shutil.rmtree(folder, ignore_errors=True)
+def _warm_up() -> None:
+    """Prove a small job, so that modules and kernels are loaded when the question comes.
+
+    A fault is printed only: the proof that is asked for meets it again and answers with it.
+    """
+    try:
+        with tempfile.TemporaryDirectory(prefix="cncstepper-") as name, contextlib.redirect_stdout(io.StringIO()):
+            _write_small_question(Path(name))
+            answer(Path(name), "")
+    except Exception:
+        traceback.print_exc()
+
+
+def _write_small_question(folder: Path) -> None:
+    from CNCStepper.job.make import make_program
+    from CNCStepper.job.model import load_job
+    from CNCStepper.job.proof_folder import write_question
+
+    job, machine = load_job(WARM_UP_JOB)
+    small = job.model_copy(update={"operation": job.operation[:1]})
+    write_question(folder, make_program(small, machine).program, small, machine)
+
+
+def _listen(asked: Asked) -> None:
+    """Hand on the question; end this process when nobody holds the other end of standard input any more."""
+    folder: Path | None = None
+    with open(0, "rb", closefd=False) as lines:  # not sys.stdin: its lock would be held when the interpreter ends
+        for line in lines:
+            path, name = json.loads(line)
+            folder = Path(path)
+            asked.put((folder, name))
+    if folder is not None:
+        shutil.rmtree(folder, ignore_errors=True)
     os._exit(1)
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -4535,6 +4535,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Big digits</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Big digits…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Blade offset</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5123,6 +5131,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Depth, from above without the path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Designation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5259,6 +5271,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drag a frame to zoom into</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5332,6 +5348,10 @@
         </message>
         <message>
             <source>Drive (steps per mm follow from it)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Drive round the job in air, at its safe height and without power, before the first cut.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6000,6 +6020,10 @@
         </message>
         <message>
             <source>From tooth to tooth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>From where the part is looked at, and how near; the mouse turns and moves it as ever</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6815,6 +6839,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Isometric</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Isosceles triangle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6824,6 +6852,10 @@
         </message>
         <message>
             <source>It is cut last already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7152,6 +7184,10 @@
         </message>
         <message>
             <source>Line spacing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Line {0}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8243,6 +8279,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Positions, state and remaining time in a window of their own, to be read across the room</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Power</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8595,6 +8635,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Remaining {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Remnants</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8760,6 +8804,10 @@
         </message>
         <message>
             <source>Rules</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Run the outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9039,11 +9087,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Show all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show how far the job came when the link broke, and restart it there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Show how far the last unfinished job came, and restart it there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Show the cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9967,6 +10023,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The outline is run only while the machine is idle.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The outline seen from above, or the faces or the section at a height</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10188,6 +10248,10 @@
         </message>
         <message>
             <source>The tool goes forward again only after it went back.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The tool in the 3D view over the part as it is cut, with its path behind it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10687,6 +10751,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>View</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Virtual grbl (no machine)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11111,6 +11179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>XY, from above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Y times</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11147,11 +11219,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>ZY, from the side</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Zero's place</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Zip with packages ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Zoom in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Zoom out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12680,6 +12764,10 @@
         </message>
         <message>
             <source>{0}, line {1}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}, outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16863,6 +16951,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a lathe's tool has no outline over the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a lead of kind 'arc' needs radius_mm, and no length_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17452,6 +17544,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a whole number from 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a wire has no height above the part at which it could drive round it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18419,6 +18515,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another side</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19235,6 +19335,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>export the body itself, as STEP, BREP or STL</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>export the solid as STEP again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19443,7 +19547,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>give a height_mm within the solid, or none for its whole outline</source>
+            <source>give a height_mm within the solid, or none for its outline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20243,6 +20347,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its content is no picture</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its controller's process has ended ({status})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20344,6 +20452,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>its transform is damaged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its transform-origin is damaged</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20772,6 +20884,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>look at the network of the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>look at the simulation</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24240,6 +24356,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the file holds no settings of a controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the file holds no solid and no face</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -4535,6 +4535,14 @@
             <translation>Além</translation>
         </message>
         <message>
+            <source>Big digits</source>
+            <translation>Dígitos grandes</translation>
+        </message>
+        <message>
+            <source>Big digits…</source>
+            <translation>Dígitos grandes…</translation>
+        </message>
+        <message>
             <source>Blade offset</source>
             <translation>Recuo da lâmina</translation>
         </message>
@@ -5123,6 +5131,10 @@
             <translation>Profundidade até</translation>
         </message>
         <message>
+            <source>Depth, from above without the path</source>
+            <translation>Profundidade, de cima sem o caminho</translation>
+        </message>
+        <message>
             <source>Designation</source>
             <translation>Designação</translation>
         </message>
@@ -5259,6 +5271,10 @@
             <translation>Duplicadas</translation>
         </message>
         <message>
+            <source>Drag a frame to zoom into</source>
+            <translation>Arrastar um quadro para ampliar</translation>
+        </message>
+        <message>
             <source>Drag a part to move it, with Shift to turn it; Delete takes it away</source>
             <translation>Arraste uma peça para movê-la, com Shift para girá-la; Delete a retira</translation>
         </message>
@@ -5333,6 +5349,10 @@
         <message>
             <source>Drive (steps per mm follow from it)</source>
             <translation>Acionamento (dele seguem os passos por mm)</translation>
+        </message>
+        <message>
+            <source>Drive round the job in air, at its safe height and without power, before the first cut.</source>
+            <translation>Percorrer o contorno do trabalho no ar, na altura segura e sem potência, antes do primeiro corte.</translation>
         </message>
         <message>
             <source>Drive the length</source>
@@ -6001,6 +6021,10 @@
         <message>
             <source>From tooth to tooth</source>
             <translation>De dente a dente</translation>
+        </message>
+        <message>
+            <source>From where the part is looked at, and how near; the mouse turns and moves it as ever</source>
+            <translation>De onde a peça é vista, e de quão perto; o mouse gira e move a vista como sempre</translation>
         </message>
         <message>
             <source>Front edge</source>
@@ -6815,6 +6839,10 @@
             <translation>O zero-peça está definido no bloco e o caminho está livre?</translation>
         </message>
         <message>
+            <source>Isometric</source>
+            <translation>Isométrica</translation>
+        </message>
+        <message>
             <source>Isosceles triangle</source>
             <translation>Triângulo isósceles</translation>
         </message>
@@ -6825,6 +6853,10 @@
         <message>
             <source>It is cut last already</source>
             <translation>Já é usinada por último</translation>
+        </message>
+        <message>
+            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
+            <translation>Não se sabe onde a peça está na mesa: referencie a máquina, depois defina o zero de trabalho.</translation>
         </message>
         <message>
             <source>It is your copy of a shipped profile, and is used in its place.</source>
@@ -7153,6 +7185,10 @@
         <message>
             <source>Line spacing</source>
             <translation>Entrelinha</translation>
+        </message>
+        <message>
+            <source>Line {0}</source>
+            <translation>Linha {0}</translation>
         </message>
         <message>
             <source>Line {0}, {1}: {2}</source>
@@ -8243,6 +8279,10 @@
             <translation>Posição</translation>
         </message>
         <message>
+            <source>Positions, state and remaining time in a window of their own, to be read across the room</source>
+            <translation>Posições, estado e tempo restante em uma janela própria, para ler do outro lado da sala</translation>
+        </message>
+        <message>
             <source>Power</source>
             <translation>Potência</translation>
         </message>
@@ -8595,6 +8635,10 @@
             <translation>Restante</translation>
         </message>
         <message>
+            <source>Remaining {0}</source>
+            <translation>Restante {0}</translation>
+        </message>
+        <message>
             <source>Remnants</source>
             <translation>Retalhos</translation>
         </message>
@@ -8761,6 +8805,10 @@
         <message>
             <source>Rules</source>
             <translation>Regras</translation>
+        </message>
+        <message>
+            <source>Run the outline</source>
+            <translation>Percorrer o contorno</translation>
         </message>
         <message>
             <source>Running</source>
@@ -9039,12 +9087,20 @@
             <translation>Mais curtos que</translation>
         </message>
         <message>
+            <source>Show all</source>
+            <translation>Mostrar tudo</translation>
+        </message>
+        <message>
             <source>Show how far the job came when the link broke, and restart it there</source>
             <translation>Mostrar até onde o trabalho chegou quando a ligação caiu, e retomá-lo dali</translation>
         </message>
         <message>
             <source>Show how far the last unfinished job came, and restart it there.</source>
             <translation>Diz até onde chegou o último trabalho que não foi cortado até o fim, e o retoma ali.</translation>
+        </message>
+        <message>
+            <source>Show the cut</source>
+            <translation>Mostrar o corte</translation>
         </message>
         <message>
             <source>Show the tool's path</source>
@@ -9967,6 +10023,10 @@
             <translation>A outra ponta da diagonal, antes de o retângulo ser girado</translation>
         </message>
         <message>
+            <source>The outline is run only while the machine is idle.</source>
+            <translation>O contorno só é percorrido com a máquina ociosa.</translation>
+        </message>
+        <message>
             <source>The outline seen from above, or the faces or the section at a height</source>
             <translation>O contorno visto de cima, ou as faces ou a seção a uma altura</translation>
         </message>
@@ -10189,6 +10249,10 @@
         <message>
             <source>The tool goes forward again only after it went back.</source>
             <translation>A ferramenta só avança de novo depois de ter voltado.</translation>
+        </message>
+        <message>
+            <source>The tool in the 3D view over the part as it is cut, with its path behind it</source>
+            <translation>A ferramenta na vista 3D sobre a peça como está cortada, com seu caminho atrás</translation>
         </message>
         <message>
             <source>The tool is at the end of the cut.</source>
@@ -10687,6 +10751,10 @@
             <translation>Valores</translation>
         </message>
         <message>
+            <source>View</source>
+            <translation>Vista</translation>
+        </message>
+        <message>
             <source>Virtual grbl (no machine)</source>
             <translation>grbl virtual (sem máquina)</translation>
         </message>
@@ -11111,6 +11179,10 @@
             <translation>espuma XPS</translation>
         </message>
         <message>
+            <source>XY, from above</source>
+            <translation>XY, de cima</translation>
+        </message>
+        <message>
             <source>Y times</source>
             <translation>Y vezes</translation>
         </message>
@@ -11147,12 +11219,24 @@
             <translation>Suporte em Z</translation>
         </message>
         <message>
+            <source>ZY, from the side</source>
+            <translation>ZY, de lado</translation>
+        </message>
+        <message>
             <source>Zero's place</source>
             <translation>Lugar do zero</translation>
         </message>
         <message>
             <source>Zip with packages ({0})</source>
             <translation>Zip com pacotes ({0})</translation>
+        </message>
+        <message>
+            <source>Zoom in</source>
+            <translation>Ampliar</translation>
+        </message>
+        <message>
+            <source>Zoom out</source>
+            <translation>Reduzir</translation>
         </message>
         <message>
             <source>[The whole manual]({0}) opens in the browser.</source>
@@ -12681,6 +12765,10 @@
         <message>
             <source>{0}, line {1}</source>
             <translation>{0}, linha {1}</translation>
+        </message>
+        <message>
+            <source>{0}, outline</source>
+            <translation>{0}, contorno</translation>
         </message>
         <message>
             <source>{0}, restart</source>
@@ -16885,6 +16973,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>os arcos de um torno ficam no plano ZX (G18)</translation>
         </message>
         <message>
+            <source>a lathe's tool has no outline over the bar</source>
+            <translation>a ferramenta de um torno não tem contorno sobre a barra</translation>
+        </message>
+        <message>
             <source>a lead of kind 'arc' needs radius_mm, and no length_mm</source>
             <translation>uma entrada ou saída do tipo 'arc' precisa de radius_mm e não de length_mm</translation>
         </message>
@@ -17475,6 +17567,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a whole number from 0</source>
             <translation>um número inteiro a partir de 0</translation>
+        </message>
+        <message>
+            <source>a wire has no height above the part at which it could drive round it</source>
+            <translation>um fio não tem altura acima da peça na qual possa percorrê-la</translation>
         </message>
         <message>
             <source>a word does not begin with a letter</source>
@@ -18441,6 +18537,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escolha outro processo no trabalho, ou apague a operação</translation>
         </message>
         <message>
+            <source>choose another program</source>
+            <translation>escolha outro programa</translation>
+        </message>
+        <message>
             <source>choose another side</source>
             <translation>escolha outro lado</translation>
         </message>
@@ -19257,6 +19357,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>exporte-o de novo, como STL binário</translation>
         </message>
         <message>
+            <source>export the body itself, as STEP, BREP or STL</source>
+            <translation>exporte o próprio corpo, como STEP, BREP ou STL</translation>
+        </message>
+        <message>
             <source>export the solid as STEP again</source>
             <translation>exporte o sólido de novo como STEP</translation>
         </message>
@@ -19465,8 +19569,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>informe uma altura maior</translation>
         </message>
         <message>
-            <source>give a height_mm within the solid, or none for its whole outline</source>
-            <translation>dê um height_mm dentro do sólido, ou nenhum para o contorno inteiro</translation>
+            <source>give a height_mm within the solid, or none for its outline</source>
+            <translation>dê um height_mm dentro do sólido, ou nenhum para o seu contorno</translation>
         </message>
         <message>
             <source>give a line</source>
@@ -20265,6 +20369,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a sua fronteira não está fechada</translation>
         </message>
         <message>
+            <source>its content is no picture</source>
+            <translation>o conteúdo não é uma imagem</translation>
+        </message>
+        <message>
             <source>its controller's process has ended ({status})</source>
             <translation>o processo do controlador terminou ({status})</translation>
         </message>
@@ -20367,6 +20475,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>its transform is damaged</source>
             <translation>a sua transformação está danificada</translation>
+        </message>
+        <message>
+            <source>its transform-origin is damaged</source>
+            <translation>o seu transform-origin está danificado</translation>
         </message>
         <message>
             <source>its weights are not above 0</source>
@@ -20795,6 +20907,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>look at the network of the controller</source>
             <translation>verifique a rede do controlador</translation>
+        </message>
+        <message>
+            <source>look at the simulation</source>
+            <translation>veja a simulação</translation>
         </message>
         <message>
             <source>look at this drawing alone: cncstepper job</source>
@@ -24263,6 +24379,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the file holds no settings of a controller</source>
             <translation>o arquivo não tem ajustes de um controlador</translation>
+        </message>
+        <message>
+            <source>the file holds no solid and no face</source>
+            <translation>o arquivo não contém nenhum sólido nem face</translation>
         </message>
         <message>
             <source>the file is empty</source>

@@ -20,10 +20,12 @@ from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.control.service import connection_client
 from CNCStepper.control.transport import link
 from CNCStepper.errors import MissingPackage
+from CNCStepper.simulation.tip_follower import AS_NEAR_MM
 from CNCStepper.workbench import api
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.dock.model.send_steps import STEPS
 from CNCStepper.workbench.services import sounds
+from CNCStepper.workbench.simulation.scene import AT_MOMENT, FINISHED
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
@@ -91,7 +93,7 @@ def work_mm(hand: Hand, axis: str) -> float:
 
 
 def test_without_a_controller_nothing_works_and_says_why(hand: Hand, dock: Any) -> None:
-    for name in ("Hold", "Resume", "Stop", "JogXPlus", "ZeroX", "Home", "Unlock", "Override_feed_10"):
+    for name in ("Hold", "Resume", "Stop", "JogXPlus", "ZeroX", "Home", "Unlock", "Override_feed_10", "Outline"):
         widget = hand.find(f"{D}{name}")
         assert not hand.main(widget.isEnabled), name
         assert "Connect to a controller first" in hand.main(widget.toolTip), name
@@ -177,10 +179,13 @@ def test_send_hold_resume_done(hand: Hand, dock: Any, heard: list[str]) -> None:
     hand.shot("dock-zero")
     zeroed(hand)
     assert not hand.exists(f"{D}FlowDetail")
+    hand.click(f"{D}Live")
     hand.click(f"{D}Start")
     says(hand, "Running")
     hand.wait(lambda: hand.find(f"{D}Progress").value() > 100, 60)
     hand.shot("dock-running")
+    big_digits_follow(hand, dock)
+    the_cut_is_in_the_view(hand, dock)
     hand.click(f"{D}Override_feed_10")
     hand.wait(lambda: hand.text(f"{D}Override_feed") == "110 %")
     hand.click(f"{D}Override_coolant_flood")
@@ -194,10 +199,53 @@ def test_send_hold_resume_done(hand: Hand, dock: Any, heard: list[str]) -> None:
     hand.wait(lambda: "Done" in hand.text(f"{D}FlowTitle"), 120, "the end of the cut")
     assert "lines are cut" in hand.text(f"{D}FlowDetail")
     says(hand, "Idle")
+    assert hand.main(lambda: shown_part(dock)) == FINISHED
     hand.shot("dock-done")
     assert heard == [sounds.END]
     hand.click(f"{D}Cancel")
     assert not hand.exists(f"{D}Flow")
+    hand.wait(lambda: dock.live.shown is None, 5, "an empty view")
+    hand.click(f"{D}Live")
+
+
+def shown_part(dock: Any) -> int:
+    return int(dock.live.shown._scene._part.whichChild.getValue())
+
+
+def the_cut_is_in_the_view(hand: Hand, dock: Any) -> None:
+    """The part is in the 3D view as it is cut by now, the tool where it is reported, and the path behind it."""
+    hand.wait(lambda: dock.live.shown is not None and dock.live.shown.time_s > 0 and dock.live.shown._scene._tiles, 60)
+    shown = dock.live.shown
+    with hand.watchdog() as dog:
+        begun_s, cut = shown.time_s, dock.link.status.acknowledged
+        hand.wait(lambda: shown.time_s > begun_s + 5 and dock.link.status.acknowledged > cut, 60, "the cut to go on")
+    print(f"while the cut is shown: {dog}")
+    assert dog.max_cpu_ms < LONGEST_MS, dog
+    tip_mm = hand.main(lambda: shown._scene._tool_place.translation.getValue().getValue())
+    assert tip_mm == pytest.approx(shown._path.points_mm[-1], abs=AS_NEAR_MM) and len(shown._path.points_mm) > 5
+    assert hand.main(lambda: shown_part(dock)) == AT_MOMENT
+    hand.main(FreeCADGui.SendMsgToActiveView, "ViewFit")
+    hand.main(FreeCADGui.ActiveDocument.ActiveView.viewIsometric)
+    hand.shot("dock-live-cut")
+
+
+def big_digits_follow(hand: Hand, dock: Any) -> None:
+    """Open the window of big digits while the job is cut: it shows what the dock shows, large, and cuts nothing off."""
+    hand.click(f"{D}Digits")
+    hand.wait(lambda: hand.exists("CNCStepper_Digits_State"), 5, "the big digits")
+    assert hand.main(dock.digits.isWindow) and hand.text("CNCStepper_Digits_State") == "Running"
+    hand.wait(lambda: hand.text("CNCStepper_Digits_WorkX") == hand.text(f"{D}WorkX"), 5, "the same position")
+    assert "0:" in hand.text("CNCStepper_Digits_Remaining") and hand.text("CNCStepper_Digits_Line")[-1].isdigit()
+    hand.shot("dock-big-digits", dock.digits)
+    for size in ((720, 520), (300, 240)):
+        hand.main(dock.digits.resize, *size)
+        hand.settle()
+        assert hand.main(lambda: all(fits(label) for label in dock.digits.findChildren(QtGui.QLabel)))
+    hand.main(dock.digits.close)
+
+
+def fits(label: Any) -> bool:
+    return label.fontMetrics().boundingRect(label.text()).width() <= label.width()
 
 
 def test_stop_ends_the_job_and_says_how_it_stands(hand: Hand, dock: Any) -> None:
@@ -342,12 +390,29 @@ def test_a_job_is_proven_for_the_zero_that_the_machine_has(
     hand.wait(lambda: "Refused" in hand.text(f"{D}FlowTitle"), 60, "the refusal of a zero too near to the edge")
     hand.click(f"{D}Cancel")
     zero_at(hand, dock, -100.0, 0.0, 0.0)
+    the_outline_is_run(hand, dock)
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the proof")
     hand.click(f"{D}Start")
     says(hand, "Running")
     hand.click(f"{D}Stop")
     hand.wait(lambda: "Stopped" in hand.text(f"{D}FlowTitle"), 20)
+
+
+def the_outline_is_run(hand: Hand, dock: Any) -> None:
+    """Run the outline by its button, as any program: checked, asked for the zero, sent; it cuts nothing."""
+    hand.click(f"{D}Outline")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the proof")
+    assert dock.sending.flow.label == "Pocket job, outline"
+    hand.wait(lambda: start_button().isEnabled())
+    hand.shot("dock-outline")
+    seen: list[Any] = []
+    hand.click(f"{D}Start")
+    hand.wait(lambda: seen.append(dock.link.status) or "Done" in hand.text(f"{D}FlowTitle"), 60, "its end")
+    assert all(status.wpos_mm[2] > -0.01 and not status.spindle_rpm for status in seen)
+    assert dock.link.status.wpos_mm == pytest.approx((-17, -9, 10), abs=0.02)  # 20 by 12 mm less the cutter's radius
+    assert max(status.wpos_mm[0] for status in seen) > 10 and max(status.wpos_mm[1] for status in seen) > 5
+    hand.click(f"{D}Cancel")
 
 
 def start_button() -> Any:

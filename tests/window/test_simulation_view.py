@@ -17,15 +17,20 @@ import pytest
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.proving import standby
 from CNCStepper.workbench.proving.proof_process import ProofRun
 from CNCStepper.workbench.services.findings_list import sentence
+from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.simulation import open_simulation
 from CNCStepper.workbench.simulation.scene import AT_MOMENT, FINISHED
 from CNCStepper.workbench.simulation.task import SimulationTask
+from CNCStepper.workbench.simulation.view_menu import ENTRIES
+from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
 PROVEN_S = 180  # where nothing is compiled yet and the processors are busy
 AT_ONCE_MS = 50
+PART_S = 0.5  # of processor, from the click to the part in its process
 
 
 def new_document(drawing_mm: tuple[float, float, float] = (50, 35, 0)) -> Any:
@@ -141,6 +146,20 @@ def shows_a_moment(task: SimulationTask) -> bool:
     return bool(task._scene._part.whichChild.getValue() == AT_MOMENT)
 
 
+def processor_s(pid: int) -> float:
+    """The processor time that a process has taken."""
+    used = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[11:13]
+    return sum(map(int, used)) / os.sysconf("SC_CLK_TCK")
+
+
+def waiting_proof(hand: Hand) -> tuple[int, float]:
+    """Wait until a process has loaded what the next proof needs; its number and the processor time of that."""
+    hand.wait(lambda: standby._standby is not None and standby._standby.is_ready, PROVEN_S)
+    pid = standby._standby.pid
+    assert pid is not None
+    return pid, processor_s(pid)
+
+
 def opened_up_to_the_part(hand: Hand, job: Any) -> tuple[SimulationTask, int]:
     """Open the simulation, halt its proof when the part is handed out, and wait until that is shown; the process."""
     processes: list[int] = []
@@ -201,6 +220,45 @@ def test_it_plays_steps_and_follows_the_program(hand: Hand, job: Any) -> None:
     marked = hand.main(lambda: task.form.program.currentIndex().row() + 1)
     assert marked == task._player.line
     hand.shot("simulation-stepped")
+
+
+@pytest.mark.window("plain", "portuguese")
+def test_the_menu_chooses_from_where_the_part_is_seen_and_how_near(hand: Hand, job: Any) -> None:
+    opened(hand, job)
+    view = FreeCADGui.ActiveDocument.ActiveView
+    path = hand.find("CNCStepper_Simulation_path")
+    for name, seen in (("xy", (0, 0, -1)), ("zy", (-1, 0, 0)), ("depth", (0, 0, -1)), ("isometric", (-1, 1, -1))):
+        choose_view(hand, name)
+        along = np.array(hand.main(view.getViewDirection))
+        assert along == pytest.approx(np.array(seen) / np.linalg.norm(seen), abs=1e-3), name
+        assert hand.main(path.isChecked) == (name != "depth")
+        hand.shot(f"simulation-{name}")
+    whole_mm = hand.main(seen_mm)
+    choose_view(hand, "nearer")
+    assert hand.main(seen_mm) < whole_mm
+    choose_view(hand, "farther")
+    choose_view(hand, "farther")
+    assert hand.main(seen_mm) > whole_mm
+    choose_view(hand, "whole")
+    assert hand.main(seen_mm) == pytest.approx(whole_mm, rel=1e-3)
+    choose_view(hand, "frame")
+    hand.drag([hand.view_point(-10, -10), hand.view_point(10, 10)])
+    hand.wait(lambda: seen_mm() < whole_mm / 2, 5, "the frame that was dragged")
+
+
+def choose_view(hand: Hand, name: str) -> None:
+    """Choose an entry of the view's menu."""
+    text = tr(next(text for group in ENTRIES for entry, text in group if entry == name))
+    hand._click_place(hand._place(places.of_widget, "CNCStepper_Simulation_view", None))
+    hand.wait(lambda: places.popup_entry(text), 5, text)
+    hand._click_place(hand.main(places.popup_entry, text))
+    hand.settle()
+
+
+def seen_mm() -> float:
+    """The height that the 3D view shows."""
+    camera = FreeCADGui.ActiveDocument.ActiveView.getCameraNode()
+    return float(camera.height.getValue())
 
 
 def test_material_vanishes_while_it_plays_and_comes_back_the_same(hand: Hand, job: Any) -> None:
@@ -327,7 +385,11 @@ def test_it_leaves_nothing_behind(hand: Hand, job: Any) -> None:
 
 
 def test_the_part_is_in_the_view_before_the_answer(hand: Hand, job: Any) -> None:
+    waited, loaded_s = waiting_proof(hand)
     task, process = opened_up_to_the_part(hand, job)
+    used_s = processor_s(process) - loaded_s
+    print(f"the process that waited has taken {used_s:.2f} s of processor for the part, {loaded_s:.2f} before")
+    assert process == waited and used_s < PART_S
     scene = task._scene
     assert task._result is None and hand.main(scenes) == 1 and hand.main(finished_faces, task) > 0
     assert not hand.main(lambda: job.Document.Plate.ViewObject.Visibility)

@@ -20,7 +20,9 @@ import numpy as np
 from CNCStepper.tolerances import SAME_SCALE
 
 NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
-TRANSFORM = re.compile(r"[\s,]*(matrix|translate|scale|rotate|skewX|skewY)\s*\(([^)]*)\)", re.ASCII)
+NUMBER_UNIT = re.compile(rf"{NUMBER.pattern}(?:px|deg)?", re.ASCII)
+SHARES = {"left": "0%", "top": "0%", "center": "50%", "right": "100%", "bottom": "100%"}
+TRANSFORM = re.compile(r"[\s,]*(matrix|(?:translate|scale|skew)[XY]|translate|scale|rotate)\s*\(([^)]*)\)", re.ASCII)
 LENGTH = re.compile(rf"\s*({NUMBER.pattern})\s*(px|pt|pc|mm|cm|in|em|ex|q|%|)\s*", re.IGNORECASE | re.ASCII)
 MM_OF_UNIT = {"mm": 1.0, "cm": 10.0, "in": 25.4, "pt": 25.4 / 72.0, "pc": 25.4 / 6.0, "q": 0.25}
 CSS_DPI = 96.0
@@ -98,8 +100,30 @@ def transform_of(text: str) -> Matrix:
         count += 1
         if not match or count > MOST_TRANSFORMS:
             raise ValueError("its transform is damaged")
-        result, at = result @ _single(match[1], numbers(match[2])), match.end()
+        result, at = result @ _single(match[1], _plain_numbers(match[2])), match.end()
     return result
+
+
+def _plain_numbers(text: str) -> list[float]:
+    """Return the numbers of a transform, pixels and degrees as CSS has them; raises ValueError for other units."""
+    if NUMBER_UNIT.sub("", text).strip(" ,\t\r\n"):
+        raise ValueError("its transform is damaged")
+    return numbers(text)
+
+
+def about(matrix: Matrix, origin: str, viewport: tuple[float, float]) -> Matrix:
+    """Return a transform about its transform-origin, "" for the origin of the user's system; percentages of a viewport.
+
+    Raises ValueError for one that is damaged.
+    """
+    words = origin.split()[:2]
+    if words and words[0] in ("top", "bottom"):
+        words.reverse()
+    shares = (SHARES.get(word, word) for word in [*words, "center"][:2]) if words else ("0", "0")
+    x, y = (length(share, whole, math.nan) for share, whole in zip(shares, viewport, strict=True))
+    if not (math.isfinite(x) and math.isfinite(y)):
+        raise ValueError("its transform-origin is damaged")
+    return Matrix(shift=complex(x, y)) @ matrix @ Matrix(shift=complex(-x, -y))
 
 
 def _single(name: str, values: list[float]) -> Matrix:
@@ -120,6 +144,10 @@ _MAKERS: dict[str, tuple[Callable[[list[float]], Matrix], int, int]] = {
     "translate": (lambda v: Matrix(shift=complex(*v)), 1, 2),
     "scale": (lambda v: Matrix.of(v[0], 0.0, 0.0, v[-1], 0.0, 0.0), 1, 2),
     "rotate": (_rotated, 1, 3),
+    "translateX": (lambda v: Matrix(shift=complex(v[0], 0.0)), 1, 1),
+    "translateY": (lambda v: Matrix(shift=complex(0.0, v[0])), 1, 1),
+    "scaleX": (lambda v: Matrix.of(v[0], 0.0, 0.0, 1.0, 0.0, 0.0), 1, 1),
+    "scaleY": (lambda v: Matrix.of(1.0, 0.0, 0.0, v[0], 0.0, 0.0), 1, 1),
     "skewX": (lambda v: Matrix.of(1.0, 0.0, math.tan(math.radians(v[0])), 1.0, 0.0, 0.0), 1, 1),
     "skewY": (lambda v: Matrix.of(1.0, math.tan(math.radians(v[0])), 0.0, 1.0, 0.0, 0.0), 1, 1),
 }

@@ -32,8 +32,12 @@ PAINTS = ("fill", "stroke", "color")
 SAME_AS_COLOUR = ("currentcolor", "context-stroke", "context-fill")
 NO_COLOURS = ("none", "inherit", *SAME_AS_COLOUR)
 MARKERS = ("marker", "marker-start", "marker-mid", "marker-end")
-OWN = {"display", "clip-path", "mask", "opacity", "baseline-shift"}
+OWN = {"display", "clip-path", "mask", "opacity", "baseline-shift", "transform", "transform-origin"}
 KNOWN = INHERITED | OWN
+PLACES = {"transform", "transform-origin"}  # of attributes these are the element's own: hardly two look alike
+AT_RULE = re.compile(r"@([\w-]+)([^;{]*)([;{]?)")
+BRACE = re.compile("[{}]")
+MEDIA = ("screen", "all")
 MOST_RULES = 5_000
 MOST_SHEET = 1_000_000  # characters of all <style> elements
 MOST_SELECTOR = 2_000  # characters
@@ -155,7 +159,8 @@ class StyleSheet:
         self._nested, self._trials = False, 0
         self.unknown: list[str] = []  # selectors that select nothing here
         self.made: dict[tuple[Any, ...], tuple[Style, Style]] = {}  # see `styled`; the first keeps its id from others
-        for number, rule in enumerate(_without_comments(text[:MOST_SHEET]).split("}")[:MOST_RULES]):
+        plain = self._without_at_rules(_without_comments(text[:MOST_SHEET]))
+        for number, rule in enumerate(plain.split("}")[:MOST_RULES]):
             selectors, _, body = rule.rpartition("{")
             style = tuple(declarations(body))
             for selector in selectors[-MOST_SELECTOR:].rpartition("{")[2].split(",") if style else ():
@@ -169,6 +174,19 @@ class StyleSheet:
         if self._nested or key not in self._kept:
             self._kept[key] = self._selecting(element, ancestors)
         return self._kept[key]
+
+    def _without_at_rules(self, text: str) -> str:
+        """Return the rules, with those for a screen in their places; nothing is imported, and what is left out told."""
+        parts, at = [], 0
+        while match := AT_RULE.search(text, at):
+            parts.append(text[at : match.start()])
+            at = _closing(text, match.end()) if match[3] == "{" else match.end()
+            words = match[2].replace(",", " ").split()
+            if match[1] == "media" and match[3] == "{" and (not words or set(words) & set(MEDIA)):
+                parts.append(text[match.end() : at - 1])
+            elif len(self.unknown) < MOST_UNKNOWN:
+                self.unknown.append(f"@{match[1]}{match[2]}".strip())
+        return "".join(parts) + text[at:]
 
     def _selecting(self, element: Element, ancestors: list[Element]) -> tuple[Declaration, ...]:
         keys = {"*", element.name, "#" + element.get("id"), *("." + name for name in element.get("class").split())}
@@ -201,6 +219,16 @@ class StyleSheet:
 def _without_comments(text: str) -> str:
     first, *rest = text.split("/*")
     return first + "".join(part.partition("*/")[2] for part in rest)
+
+
+def _closing(text: str, at: int) -> int:
+    """Return where the block ends that was begun before a place."""
+    depth = 1
+    for brace in BRACE.finditer(text, at):
+        depth += 1 if brace[0] == "{" else -1
+        if not depth:
+            return brace.end()
+    return len(text)
 
 
 def _compounds(selector: str) -> Iterator[_Compound | None]:
@@ -265,7 +293,7 @@ def styled(element: Element, inherited: Style, sheet: StyleSheet, ancestors: lis
     """Return the style of an element; the inherited one is not changed."""
     if element.name == TEXT:
         return inherited
-    attributes = tuple([item for item in element.attributes.items() if item[0] in KNOWN])
+    attributes = tuple([item for item in element.attributes.items() if item[0] in KNOWN and item[0] not in PLACES])
     rules, text = sheet.of(element, ancestors), element.get("style")
     if not (attributes or rules or text or OWN & inherited.keys()):
         return inherited

@@ -25,7 +25,7 @@ from CNCStepper.drawing.joined_pieces import joined_pieces
 from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.drawing.svg.document import REFERRING, Document, Element, read_document
 from CNCStepper.drawing.svg.fitted_pieces import FittedPieces
-from CNCStepper.drawing.svg.matrices import NUMBER, Matrix, fitted, length, transform_of, view_box
+from CNCStepper.drawing.svg.matrices import NUMBER, Matrix, about, fitted, length, transform_of, view_box
 from CNCStepper.drawing.svg.path_data import PathDamage, PlacedPen, draw_path, draw_points, draw_rectangle
 from CNCStepper.drawing.svg.sheet import is_illustrator, sheet_of
 from CNCStepper.drawing.svg.styles import Style, StyleSheet, font_size, styled
@@ -220,9 +220,12 @@ class _Walk:
 
     def _inside(self, element: Element, around: _Context, style: Style) -> _Context:
         matrix = around.matrix
-        if text := element.get("transform"):
+        text = style.get("transform") or element.get("transform")
+        if text and text != "none":
+            origin = style.get("transform-origin") or element.get("transform-origin")
             try:
-                matrix = matrix @ transform_of(text)
+                own = transform_of(text)
+                matrix = matrix @ (about(own, origin, around.viewport) if origin else own)
             except ValueError:
                 self._told["transform"] += 1
         if style.clips:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from PIL import Image, ImageFilter, ImageOps
+from PIL import Image, ImageFilter, ImageOps, UnidentifiedImageError
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.errors import JobError, Place, Text
@@ -50,7 +50,8 @@ def read_greys(path: Path, blur_px: float = 0.0) -> Greys:
     except Image.DecompressionBombError as error:
         raise _too_large(printable(str(error), 255), place) from error
     except (OSError, ValueError, SyntaxError, EOFError) as error:
-        why = printable(str(error), 255)
+        unknown = isinstance(error, UnidentifiedImageError)  # its words name an object of Python
+        why = Text("its content is no picture") if unknown else printable(str(error), 255)
         raise JobError("picture-file", Text("not a PNG or JPEG picture: {why}", why=why),
                        advice="save it again as PNG", place=place) from error  # fmt: skip
     return Greys(np.asarray(grey, np.uint8)[::-1], dpi)

@@ -17,14 +17,17 @@ from CNCStepper.workbench.dock.model import settings
 from CNCStepper.workbench.dock.model.button_states import RULES, face, why_not
 from CNCStepper.workbench.dock.model.relay_keys import sound_between
 from CNCStepper.workbench.dock.model.send_steps import why_not_confirm
+from CNCStepper.workbench.dock.outline_sending import OutlineSending
 from CNCStepper.workbench.dock.restart_offer import RestartOffer
 from CNCStepper.workbench.dock.retract_client import COMMANDS, RetractRun
 from CNCStepper.workbench.dock.views import widgets
+from CNCStepper.workbench.dock.views.big_digits import BigDigits
 from CNCStepper.workbench.dock.views.connection_view import ConnectionView
 from CNCStepper.workbench.dock.views.console_view import ConsoleView, LogView
 from CNCStepper.workbench.dock.views.job_buttons_view import JobView, PauseView
 from CNCStepper.workbench.dock.views.jog_view import JogView
 from CNCStepper.workbench.dock.views.keyboard import KeyboardArea
+from CNCStepper.workbench.dock.views.live_view import LiveView
 from CNCStepper.workbench.dock.views.override_view import OverrideView
 from CNCStepper.workbench.dock.views.relay_view import RelayView
 from CNCStepper.workbench.dock.views.retract_view import RetractView
@@ -63,12 +66,19 @@ class Panel(KeyboardArea):
         self.sending = Sending(
             self, self.link, self._show_findings, self.connect_chosen, self.refresh, self.by_line.isChecked
         )
+        self.live = LiveView(self, self.sending)
         self.connection = ConnectionView(self.connect_chosen, self._leave, self._ports)
         self.state = StateView(lambda: self.recovery.go_on())
         self.flow = FlowView(self.findings, self.sending.confirm_step, self.sending.away)
         self.file_sending = FileSending(send, lambda: self.connection.profile)
+        self.outline = OutlineSending(send, self.link)
         self.recovery = RestartOffer(self.link, send, self.state.show_way_on)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
+        self.digits = BigDigits(self, lengths, point)
+        self.digits_button = widgets.button("Digits", tr("Big digits…"), self._show_digits)
+        self.digits_button.setToolTip(
+            tr("Positions, state and remaining time in a window of their own, to be read across the room")
+        )
         self.backing = RetractRun(self, self.link, self.log.say, self.refresh)
         self.back = RetractView(lengths, point, self.backing.go)
         self.halt, self.job = PauseView(self.backing.command), JobView()
@@ -101,6 +111,7 @@ class Panel(KeyboardArea):
         for part, page in (
             (self.connection, "sending/link.md"),
             (self.file_sending.button, "sending/send-file.md"),
+            (self.outline.button, "sending/README.md"),
             (self.recovery.view, "sending/restart.md"),
             (self.back, "sending/back.md"),
         ):
@@ -140,7 +151,8 @@ class Panel(KeyboardArea):
         moment, flow = self.link.moment, self.sending.flow
         shown = face(moment)
         self.state.show_face(shown, tr(shown.sentence))
-        views: tuple[Any, ...] = (self.connection, self.file_sending, self.recovery.view, self.position)
+        senders = (self.file_sending, self.outline, self.recovery.view)
+        views: tuple[Any, ...] = (self.connection, *senders, self.position)
         for view in (*views, self.halt, self.jog, self.overrides, self.relays, self.console):
             view.lock(moment)
         for name, button in (("home", self.home), ("unlock", self.unlock)):
@@ -148,6 +160,7 @@ class Panel(KeyboardArea):
         self.back.show_back(self.backing.flow, moment)
         self.flow.show_flow(flow, why_not_confirm(flow, moment))
         self._show_status(self.link.status, moment.job_runs)
+        self.digits.show_moment(moment, self.link.status)
 
     # --- inside ----------------------------------------------------------------------------------
 
@@ -160,6 +173,8 @@ class Panel(KeyboardArea):
                 self._sound(END)
             self.sending.take(event)
         self.sending.advance()
+        self.outline.advance()
+        self.live.advance(self.link.status)
         self.backing.advance()
         self.recovery.advance()
         mark = (self.link.moment, self.sending.flow.step)
@@ -207,6 +222,11 @@ class Panel(KeyboardArea):
         if name and settings.sounds_on():
             sounds.play(name)
 
+    def _show_digits(self) -> None:
+        self.digits.show()
+        self.digits.raise_()
+        self.digits.show_moment(self.link.moment, self.link.status)
+
     def _leave(self) -> None:
         self.link.leave()
         self.refresh()
@@ -226,8 +246,10 @@ class Panel(KeyboardArea):
         content = QtGui.QWidget()
         layout = widgets.column(content)
         layout.setContentsMargins(*MARGINS)
+        of_a_job = (self.job, widgets.row(self.by_line, self.live.box), self.back)
+        before_a_cut = (self.file_sending.button, self.outline.button, self.recovery.view)
         sections: tuple[list[Any], ...] = (
-            [self.flow, self.job, self.by_line, self.back, self.file_sending.button, self.recovery.view, self.position],
+            [self.flow, *of_a_job, *before_a_cut, self.position, self.digits_button],
             [widgets.caption(tr("Jog")), self.jog, widgets.row(self.home, self.unlock)],
             [widgets.caption(tr("Overrides")), self.overrides],
             [widgets.caption(tr("Relays")), self.relays],

@@ -66,6 +66,13 @@ class Sending:
         self._check()
         self._changed()
 
+    @property
+    def cut(self) -> tuple[Any, Any] | None:
+        """The program that is being cut, or was just cut, with its proof; None before, after, and for a restart."""
+        if self.flow.step not in ("cutting", "ended") or self._place is not None or self._result is None:
+            return None
+        return self._job, self._result
+
     def forget(self) -> None:
         """Know nothing of the job that is being cut, when another window began it."""
         self.program_lines = ()

@@ -135,13 +135,24 @@ def _job_values(job: Job, label: str) -> dict[str, Any]:
 
 
 def fill(obj: Any, job: Job, objects_with: ObjectsWith = lambda curves: []) -> None:
+    """Do all that `filled` does at once."""
+    for _ in filled(obj, job, objects_with):
+        pass
+
+
+def filled(obj: Any, job: Job, objects_with: ObjectsWith) -> Iterator[None]:
     """Give a job object the tools, operations and clamps of a job, whose curves lie where the document has them.
 
     objects_with: returns the objects of the document that hold just some curves, none where there are no such ones.
+    Yields after each object, so that a window can see to its events.
     """
-    tools = {tool.number: _tool(obj, tool) for tool in job.tool}
+    tools = {}
+    for tool in job.tool:
+        tools[tool.number] = _tool(obj, tool)
+        yield
     for cycle in job.operation:
         _operation(obj, cycle, tools[cycle.tool], objects_with)
+        yield
     obj.Clamps = [_clamp(obj.Document, clamp) for clamp in job.clamp]
 
 

@@ -8,12 +8,12 @@ content of a template ──► the process: chains of each rule, or the job (`j
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.document.job_files import begun, fill, replaced, with_whole_path
+from CNCStepper.workbench.document.job_files import begun, filled, replaced, with_whole_path
 from CNCStepper.workbench.drawings.exact_curves import all_kept
 from CNCStepper.workbench.features.base import edit
 from CNCStepper.workbench.features.drawings.drawing import form_of, path_of
@@ -70,7 +70,12 @@ def apply_template(drawing: Any, template: Path, job: Any = None) -> Any:
 
     path = template.absolute()
     answer = template_answer(asked_of(drawing, read_toml(path), path, True))
-    return made(drawing, answer, job)
+    making = made(drawing, answer, job)
+    while True:
+        try:
+            next(making)
+        except StopIteration as end:
+            return end.value
 
 
 def new_template(drawing: Any, job: Any) -> Content:
@@ -102,10 +107,11 @@ def _reading(drawing: Any) -> Content:
     return {key: told[key] for key in ("tolerance_mm", "unit_mm", "by_colour", "mend", "trace") if key in told}
 
 
-def made(drawing: Any, answer: Content, job: Any) -> Any:
+def made(drawing: Any, answer: Content, job: Any) -> Generator[None, None, Any]:
     """Return the job object of an answer: a job that is there, with other tools and operations, or a new one for None.
 
-    Its work zero lies where the template's job file has it. Raises JobError for what FreeCAD has no objects for.
+    Its work zero lies where the template's job file has it. Yields after each object, so that a window can see to its
+    events. Raises JobError for what FreeCAD has no objects for.
     """
     from CNCStepper.job.cut_transfer import job_from_content
 
@@ -116,7 +122,8 @@ def made(drawing: Any, answer: Content, job: Any) -> Any:
         replaced(job, model)
     x_mm, y_mm = answer["offset_mm"]
     edit(job, work_origin_mm=(-x_mm, -y_mm, 0.0))
-    fill(job, model, Source(drawing).objects_with)
+    yield
+    yield from filled(job, model, Source(drawing).objects_with)
     for operation, title in zip(job.Operations, answer["titles"], strict=True):
         operation.Label = title
     return job

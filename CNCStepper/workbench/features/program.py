@@ -78,13 +78,20 @@ def program_of_file(job: Any, path: Path) -> Any:
 
     One that was read from the same file before takes its text. Raises JobError for a file that cannot be read.
     """
-    text, _ = program_file.read(path)
-    obj = next((obj for obj in job.InList if is_of_a_file(obj) and obj.File == str(path)), None)
+    return program_of_text(job, path.name, str(path), program_file.read(path)[0])
+
+
+def program_of_text(job: Any, label: str, name: str, text: str) -> Any:
+    """Return the program with a text that has nothing to do with the operations of its job, as a file's has.
+
+    name: by which it is found again; the one of that name takes the text.
+    """
+    obj = next((obj for obj in job.InList if is_of_a_file(obj) and obj.File == name), None)
     if obj is None:
         obj = job.Document.addObject("App::FeaturePython", Program.Type)
         Program(obj)
         edit(obj, job=job)
-    obj.Label, obj.File = path.name, str(path)
+    obj.Label, obj.File = label, name
     program_file.store(obj, text)
     job.Message = job.Message  # an output: nothing is out of date by that, but FreeCAD's tree looks at the job again
     return obj

@@ -16,6 +16,7 @@ there is proven instead.
 from __future__ import annotations
 
 import hashlib
+import json
 import tempfile
 from collections.abc import Callable
 from concurrent.futures import Future
@@ -30,8 +31,9 @@ from CNCStepper.control.processes.python_finder import PROOF, command, find_pyth
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench import api, packages
 from CNCStepper.workbench.features.program import job_behind
+from CNCStepper.workbench.proving import standby
 from CNCStepper.workbench.services import message_translation
-from CNCStepper.workbench.services.background_process import Worker, start_worker
+from CNCStepper.workbench.services.background_process import Worker
 from CNCStepper.workbench.services.translation import later, tr
 
 if TYPE_CHECKING:
@@ -45,7 +47,6 @@ if TYPE_CHECKING:
     from CNCStepper.simulation.views.path_lines import Lines
     from CNCStepper.state import Start
 
-WORKER = "CNCStepper.workers.proof"
 LOOK_EVERY_MS = 20
 PART_CUT = "part"  # what the process tells when the part can be read
 STAGES = {
@@ -198,6 +199,9 @@ class ProofRun(QtCore.QObject):
             self._drop_folder()
             self.finished.emit(ProofRun._last[1])
             return
+        if (waiting := standby.take(self)) is not None:
+            self._ask_process(waiting)
+            return
         self.progress.emit(tr(STAGES["start"]))
         self._await(find_python_in_background(PROOF), self._spawn)
 
@@ -220,9 +224,15 @@ class ProofRun(QtCore.QObject):
             self._fail(CNCStepperError("proof-folder", str(error), advice=advice))
 
     def _spawn(self, python: str) -> None:
+        self._ask_process(Worker(command(python, standby.WORKER), self))
+
+    def _ask_process(self, process: Worker) -> None:
+        """Hand the question to a process that waits for one."""
         assert self._folder is not None
-        words = command(python, WORKER, self._folder.name, self._job.Label)
-        self._process = start_worker(self, words, self._on_message, self._ended)
+        self._process = process
+        process.told.connect(self._on_message)
+        process.ended.connect(self._ended)
+        process.write(json.dumps([self._folder.name, self._job.Label]).encode("ascii") + b"\n")
 
     def _on_message(self) -> None:
         if self._process is None:

@@ -17,6 +17,7 @@ from CNCStepper.workbench.simulation.player import Player
 from CNCStepper.workbench.simulation.player_controls import Controls
 from CNCStepper.workbench.simulation.program_list import ProgramList
 from CNCStepper.workbench.simulation.scene import FEED_RGB, RAPID_RGB
+from CNCStepper.workbench.simulation.view_menu import DEPTH, ISOMETRIC, XY, ZY, view_button
 
 if TYPE_CHECKING:
     from CNCStepper.workbench.proving.proof_process import ProofResult, ProvenProgram
@@ -76,13 +77,14 @@ class SimulationPanel(QtGui.QWidget):
     """The widget of the task.
 
     again: asks for a new proof, keep: for a mesh, restart: for a restart from the moment that is shown. path_shown:
-    sent with whether to show lines.
+    sent with whether to show lines. view_chosen: with an entry of the view's menu.
     """
 
     again = QtCore.Signal()
     keep = QtCore.Signal()
     restart = QtCore.Signal()
     path_shown = QtCore.Signal(bool)
+    view_chosen = QtCore.Signal(str)
 
     def __init__(self, label: str, parent: Any = None):
         super().__init__(parent)
@@ -137,6 +139,7 @@ class SimulationPanel(QtGui.QWidget):
         yield
         layout.addWidget(Legend(*height_range_mm))
         layout.addWidget(self._path_box())
+        layout.addWidget(view_button(self._choose_view))
         layout.addWidget(self._keep_button())
         layout.addWidget(self._restart_button())
         layout.addLayout(totals_grid(result))
@@ -170,7 +173,14 @@ class SimulationPanel(QtGui.QWidget):
         box.setObjectName("CNCStepper_Simulation_path")
         box.setChecked(True)
         box.toggled.connect(self.path_shown)
+        self._path = box
         return box
+
+    def _choose_view(self, name: str) -> None:
+        """Hand on an entry of the view's menu; the depths are seen without the path."""
+        if name in (ISOMETRIC, XY, ZY, DEPTH):
+            self._path.setChecked(name != DEPTH)
+        self.view_chosen.emit(name)
 
 
 def findings_box(result: ProvenProgram, program: Any, findings: Any) -> Any:

@@ -24,6 +24,7 @@ from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.simulation.panel import SimulationPanel
 from CNCStepper.workbench.simulation.player import Player
 from CNCStepper.workbench.simulation.stock_update import Material
+from CNCStepper.workbench.simulation.view_menu import FRAME
 from CNCStepper.workbench.simulation.view_session import Stage, view_of
 
 if TYPE_CHECKING:
@@ -40,6 +41,7 @@ class SimulationTask(ViewTask):
         self.form: Any = panel or SimulationPanel(job.Label)
         self.form.again.connect(messages.guarded(self.begin))
         self.form.path_shown.connect(messages.guarded(self._show_path))
+        self.form.view_chosen.connect(messages.guarded(self._look))
         self.form.keep.connect(messages.guarded(self._want_mesh))
         self.form.restart.connect(messages.guarded(self._restart))
         self.form.destroyed.connect(self._leave)  # however FreeCAD closes the panel
@@ -197,6 +199,15 @@ class SimulationTask(ViewTask):
     def _show_path(self, shown: bool) -> None:
         if self._scene is not None:
             self._scene.show_path(shown)
+
+    def _look(self, name: str) -> None:
+        """Look as the view's menu says; a frame is dragged by FreeCAD's own command."""
+        if name == FRAME:
+            import FreeCADGui
+
+            FreeCADGui.runCommand("Std_ViewBoxZoom")
+        elif self._stage is not None:
+            self._stage.look(name)
 
     def _go_to_line(self, line: int) -> None:
         """Let the tool stand where a line has taken it."""

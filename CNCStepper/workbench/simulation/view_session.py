@@ -6,7 +6,17 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.simulation.view_menu import DEPTH, FARTHER, ISOMETRIC, NEARER, WHOLE, XY, ZY
 
+LOOKS = {  # what FreeCAD's view does one after another
+    ISOMETRIC: ("viewIsometric", "fitAll"),
+    XY: ("viewTop", "fitAll"),
+    ZY: ("viewRight", "fitAll"),
+    DEPTH: ("viewTop", "fitAll"),
+    NEARER: ("zoomIn",),
+    FARTHER: ("zoomOut",),
+    WHOLE: ("fitAll",),
+}
 ABOVE_DEG, BESIDE_DEG = 22.0, 18.0  # from where a lathe's part is looked at
 LEVEL = 1e-6  # of a view's direction along a plane
 
@@ -58,12 +68,12 @@ class Stage:
         obj.ViewObject.Visibility = False
         self._hidden.append(obj)
 
-    def look(self) -> None:
-        """Look at everything from above at a slant, at once: a camera that still moves later would undo `restore`."""
+    def look(self, name: str = ISOMETRIC) -> None:
+        """Look as an entry of the view's menu says, at once: a camera that still moves later would undo `restore`."""
         moves = self._view.isAnimationEnabled()
         self._view.setAnimationEnabled(False)
-        self._view.viewIsometric()
-        self._view.fitAll()
+        for step in LOOKS[name]:
+            getattr(self._view, step)()
         self._view.setAnimationEnabled(moves)
 
     def look_from_the_side(self) -> None:
@@ -82,16 +92,20 @@ class Stage:
 
     def restore(self) -> None:
         """Show what was hidden, and look as before; what was deleted or closed meanwhile is left alone."""
+        if self.show_again() and self._view in views_of(self._document):
+            self._view.setCamera(self._camera)
+
+    def show_again(self) -> bool:
+        """Show what was hidden and is still there; return whether the document is."""
         import FreeCAD
 
         if self._document_name not in FreeCAD.listDocuments():
-            return
+            return False
         left = set(self._document.Objects)
         for obj in self._hidden:
             if obj in left:
                 obj.ViewObject.Visibility = True
-        if self._view in views_of(self._document):
-            self._view.setCamera(self._camera)
+        return True
 
 
 def _in_the_way(obj: Any) -> bool:

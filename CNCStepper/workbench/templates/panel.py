@@ -9,7 +9,7 @@ OK ──► TemplateQuestion with "make" ──► `template_jobs.made`: one un
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +21,7 @@ from CNCStepper.job.templates.template_files import template_folder, template_pa
 from CNCStepper.machine.files.profile_files import SUFFIX
 from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.workbench import packages
+from CNCStepper.workbench.calculation.remake_beside import DONE, RemakeBeside
 from CNCStepper.workbench.document import targets, undo_steps
 from CNCStepper.workbench.document.template_jobs import TemplateQuestion, asked_of, made, new_template
 from CNCStepper.workbench.features.base import JOB, proxy_type
@@ -53,6 +54,8 @@ class TemplatePanel:
         self.drawing, self._place = drawing, (drawing.Document.Name, drawing.Name)
         self._question: TemplateQuestion | None = None
         self._answer: Content | None = None
+        self._making: Iterator[None] | None = None
+        self._remaking: RemakeBeside | None = None
         self.draft = Draft({}, path_of(drawing))
         self._view = TakenView(FreeCADGui.getDocument(drawing.Document.Name).activeView())
         self._build()
@@ -270,12 +273,12 @@ class TemplatePanel:
     @guarded
     def accept(self) -> bool:
         """Make the job, and close when it is made; stay open where it cannot be. FreeCAD calls this for OK."""
-        if self._typed():
+        if self._remaking is None and self._typed():
             self._begin(True, self._make)
         return False
 
     def _make(self, answer: Content) -> None:
-        """Make the objects as one undo step."""
+        """Begin to make the objects as one undo step."""
         import FreeCAD
 
         self._end_question()
@@ -285,19 +288,52 @@ class TemplatePanel:
             return
         job = document.getObject(self.job.itemData(self.job.currentIndex())) if self.job.currentIndex() else None
         undo_steps.begin(document, tr("Template"))
+        self.work.say(tr("Making the job…"))
+        self.work.begin()
+        self._making = made(self.drawing, answer, job)
+        self._remaking = RemakeBeside(document, lambda words: self.work.say(tr(words)), guarded(self._made))
+        self._step()
+
+    def _step(self) -> None:
+        """Make an object of the job, and the next when the window has seen to its events; then what they cut."""
+        if self._making is None or self._remaking is None:
+            return
         try:
-            made(self.drawing, answer, job)
-            document.recompute()
+            more = next(self._making, DONE) is not DONE
         except CNCStepperError as error:
-            document.abortTransaction()
+            self._undo()
             self._failed(error)
             return
         except Exception:
-            document.abortTransaction()
+            self._undo()
             raise
-        document.commitTransaction()
+        if more:
+            QtCore.QTimer.singleShot(0, guarded(self._step))
+        else:
+            self._remaking.begin()
+
+    def _made(self) -> None:
+        """End the undo step and the panel."""
+        import FreeCAD
+
+        self._making = self._remaking = None
+        document = FreeCAD.listDocuments().get(self._place[0])
+        if document is not None:
+            document.commitTransaction()
         self._close()
         show_all()
+
+    def _undo(self) -> None:
+        """Take back what is made of the job so far."""
+        import FreeCAD
+
+        if self._remaking is None:
+            return
+        self._remaking.end()
+        self._making = self._remaking = None
+        document = FreeCAD.listDocuments().get(self._place[0])
+        if document is not None:
+            document.abortTransaction()
 
     @guarded
     def reject(self) -> bool:
@@ -308,6 +344,7 @@ class TemplatePanel:
     def _close(self) -> None:
         import FreeCADGui
 
+        self._undo()
         self._end_question()
         self._view.end()
         FreeCADGui.Control.closeDialog()

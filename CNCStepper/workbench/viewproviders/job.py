@@ -16,6 +16,13 @@ from CNCStepper.workbench.viewproviders.turned_stock_display import TURNED_BY, T
 STOCK = "Stock"  # the one way in which a job is drawn
 
 
+def _prepare_proof() -> None:
+    """Have a process loaded for the first proof; Qt is loaded with that, not with the tree."""
+    from CNCStepper.workbench.proving import standby
+
+    standby.prepare()
+
+
 class ProgramJob(ViewProvider):
     """The view of a job of any machine; `figure` draws its stock and what holds it. DRAWN_FROM: by which properties."""
 
@@ -24,11 +31,12 @@ class ProgramJob(ViewProvider):
 
     @polled
     def attach(self, view: Any) -> None:
-        """Draw the stock; FreeCAD calls this for a new view and when a document is opened."""
+        """Draw the stock, for a new view and when a document is opened; the job's first proof is prepared."""
         super().attach(view)
         self.figure = self.new_figure()
         view.addDisplayMode(self.figure.node, STOCK)
         self._draw()
+        _prepare_proof()
 
     def new_figure(self) -> Any:
         """Return what draws the stock: it has a `node` and an `update` with the job."""

@@ -141,10 +141,24 @@ def test_the_aspect_is_kept_as_the_file_says(tmp_path: Path, how: str, box: list
             [10.0, 35.0, 30.0, 40.0],
         ),
         (f"<a>{BOX}</a>", [10.0, 35.0, 30.0, 40.0]),
+        (f'<g style="transform:translate(5px, -5px) scaleX(2)">{BOX}</g>', [25.0, 40.0, 65.0, 45.0]),
+        (
+            f'<style>g {{transform: translateY(-10px)}}</style><g transform="scale(9)">{BOX}</g>',
+            [10.0, 45.0, 30.0, 50.0],
+        ),
+        (f'<g transform="rotate(90)" transform-origin="20 20">{BOX}</g>', [25.0, 20.0, 30.0, 40.0]),
+        (f'<g style="transform:rotate(180deg);transform-origin:center">{BOX}</g>', [70.0, 10.0, 90.0, 15.0]),
     ],
 )
 def test_shapes_stand_where_the_file_has_them(tmp_path: Path, body: str, box: list[float]) -> None:
     assert np.allclose(boxes(drawing(tmp_path, body))[0], box, atol=0.006)
+
+
+@pytest.mark.parametrize("transform", ["rotate(1turn)", "translate(3mm)", "scale(2", "rotate(5) transform-origin"])
+def test_a_transform_that_is_not_known_is_told(tmp_path: Path, transform: str) -> None:
+    read = drawing(tmp_path, f'<g transform="{transform}">{BOX}</g>')
+    assert boxes(read) == [[10.0, 35.0, 30.0, 40.0]]
+    assert read.warnings == ("1 transforms are damaged and not applied",)
 
 
 def test_circles_stay_arcs_where_they_are_circles(tmp_path: Path) -> None:
@@ -192,6 +206,16 @@ def test_colours_fills_and_classes(tmp_path: Path) -> None:
 def test_a_paint_that_is_no_colour_leaves_the_one_around_it(tmp_path: Path, paint: str, colour: str) -> None:
     (chain,) = drawing(tmp_path, f'<g fill="#123456"><rect width="3" height="2" fill="{paint}"/></g>').chains
     assert chain.attributes.colour == colour
+
+
+def test_rules_of_a_printer_and_of_other_files_are_left_out_and_told(tmp_path: Path) -> None:
+    body = f"""<style>@import "house.css"; rect {{fill: lime}} @media print {{ rect {{fill: red}} .a {{fill: red}} }}
+    @media screen {{ .b {{fill: blue}} }} @font-face {{font-family: x}}</style>{BOX}
+    <rect class="b" width="3" height="2"/>"""
+    read = drawing(tmp_path, body)
+    assert [chain.attributes.colour for chain in read.chains] == ["#00ff00", "#0000ff"]
+    (warning,) = read.warnings
+    assert warning.endswith('@import "house.css", @media print, @font-face')
 
 
 def test_what_is_marked_important_is_the_strongest(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from dataclasses import replace
@@ -43,9 +44,22 @@ def asked(folder: Path, text: str | None = None) -> str:
     return program
 
 
-def started(folder: Path) -> subprocess.Popen[str]:
-    words = command(sys.executable, "CNCStepper.workers.proof", str(folder), "pocket.nc")
-    return subprocess.Popen(words, env=environment(), stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding="utf-8")
+def started(folder: Path, *, loaded: bool = False) -> subprocess.Popen[str]:
+    words = command(sys.executable, "CNCStepper.workers.proof")
+    process = subprocess.Popen(
+        words, env=environment(), stdin=subprocess.PIPE, stdout=subprocess.PIPE, encoding="utf-8"
+    )
+    assert process.stdout
+    if loaded:
+        assert process.stdout.readline() == "ready\n"
+    ask(process, folder)
+    return process
+
+
+def ask(process: subprocess.Popen[str], folder: Path) -> None:
+    assert process.stdin
+    process.stdin.write(json.dumps([str(folder), "pocket.nc"]) + "\n")
+    process.stdin.flush()
 
 
 def ended(process: subprocess.Popen[str]) -> tuple[int, list[str]]:
@@ -59,9 +73,10 @@ def ended(process: subprocess.Popen[str]) -> tuple[int, list[str]]:
 
 
 @pytest.mark.slow
-def test_the_answer_is_that_of_prove_job(folder: Path) -> None:
+@pytest.mark.parametrize("loaded", [False, True])
+def test_the_answer_is_that_of_prove_job(folder: Path, loaded: bool) -> None:
     program = asked(folder)
-    assert ended(started(folder)) == (0, TOLD)
+    assert ended(started(folder, loaded=loaded)) == (0, TOLD)
     answer = read_answer(folder)
     proof = prove_job(*load_job(JOBS / "elliptical-pocket.toml"), program, "pocket.nc")
     assert answer.report == proof.report and answer.findings == proof.findings and not answer.refused

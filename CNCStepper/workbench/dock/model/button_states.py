@@ -80,6 +80,7 @@ FACES = {
     "busy": Face(later("Busy"), WAITING, later("The controller does something that was not asked for here.")),
 }
 LOST = later("The position of the table is unknown: home the machine, or set the work zero again.")
+PLACE_UNKNOWN = later("It is not known where the part lies on the table: home the machine, then set the work zero.")
 WITH_OWN_WORDS = ("paused", "alarm", "gone", "unreached", "held", "door")  # where a message says more than our sentence
 
 
@@ -152,6 +153,11 @@ RULES = {
         later("Make this position the work zero of the axis."),
         later("The work zero can be set only while the machine is idle."),
     ),
+    "outline": Rule(
+        frozenset({"idle"}),
+        later("Drive round the job in air, at its safe height and without power, before the first cut."),
+        later("The outline is run only while the machine is idle."),
+    ),
     "home": Rule(
         frozenset({"idle", "alarm"}),
         later("Home the machine: it finds its zero with its limit switches."),
@@ -208,6 +214,17 @@ def why_not(control: str, moment: ControllerSnapshot) -> str:
     rule = RULES[control]
     stands = moment.machine_state in AT_A_STAND.get(moment.phase, {}).get(control, ())
     return "" if stands or moment.phase in rule.phases else rule.why_not
+
+
+def why_not_outline(moment: ControllerSnapshot, place_known: bool) -> str:
+    """Return why the outline of a job cannot be run now, "" when it can.
+
+    place_known: whether the start state is known by which it is held against the machine's travel.
+    """
+    why = why_not("outline", moment)
+    if not why and moment.position_known is False:
+        return LOST
+    return why or ("" if place_known else PLACE_UNKNOWN)
 
 
 def why_not_axis(axis: str, moment: ControllerSnapshot) -> str:

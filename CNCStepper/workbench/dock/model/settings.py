@@ -51,6 +51,16 @@ def switch_sounds(on: bool) -> None:
     _group().SetBool("Sounds", on)
 
 
+def live_on() -> bool:
+    """Return whether the cut under way is shown in the 3D view."""
+    return _group().GetBool("Live", False)
+
+
+def switch_live(on: bool) -> None:
+    """Let the cut under way be shown, or not."""
+    _group().SetBool("Live", on)
+
+
 def jog_feed_mm_min() -> float:
     """Return the feed for jogging used last."""
     return _group().GetFloat("JogFeed", JOG_FEED_MM_MIN)

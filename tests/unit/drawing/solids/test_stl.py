@@ -104,3 +104,5 @@ def test_what_is_no_mesh_is_refused(tmp_path: Path, content: bytes, why: str) ->
 def test_nothing_at_a_height_is_refused(tmp_path: Path) -> None:
     with pytest.raises(JobError, match="nothing at that height"):
         read(tmp_path, binary(tube(10, 6, 4)), 9.0)
+    with pytest.raises(JobError, match="no solid and no face"):
+        read(tmp_path, binary(np.zeros((1, 3, 3))), None)

@@ -10,8 +10,10 @@ from CNCStepper.workbench.dock.model.button_states import (
     DANGER,
     FACES,
     JOB_RUNS,
+    LOST,
     NO_HOMING,
     NOT_CONNECTED,
+    PLACE_UNKNOWN,
     RULES,
     STANDING,
     ControllerSnapshot,
@@ -19,6 +21,7 @@ from CNCStepper.workbench.dock.model.button_states import (
     why_not,
     why_not_connect,
     why_not_disconnect,
+    why_not_outline,
 )
 
 PHASES = ("off", "starting", "connecting", "unreached", "gone", *sorted(CONNECTED))
@@ -42,7 +45,7 @@ def test_every_phase_has_a_face_and_a_reason_for_what_is_locked(phase: str) -> N
         ("off", set()),
         ("connecting", set()),
         ("gone", set()),
-        ("idle", {"jog", "zero", "home", "override", "console", "relay"}),
+        ("idle", {"jog", "zero", "home", "override", "console", "relay", "outline"}),
         ("jogging", {"hold", "stop", "jog", "override"}),
         ("homing", {"stop"}),
         ("busy", {"hold", "stop"}),
@@ -91,6 +94,14 @@ def test_a_machine_without_switches_cannot_home_and_says_so() -> None:
     assert why_not("home", ControllerSnapshot("idle", homing=False)) == NO_HOMING
     assert why_not("home", ControllerSnapshot("idle", homing=None)) == ""
     assert why_not("home", ControllerSnapshot("running", homing=True)) == RULES["home"].why_not
+
+
+def test_the_outline_is_run_where_the_place_on_the_table_is_known() -> None:
+    assert why_not_outline(ControllerSnapshot("idle", position_known=True), place_known=True) == ""
+    assert why_not_outline(ControllerSnapshot("idle", position_known=True), place_known=False) == PLACE_UNKNOWN
+    assert why_not_outline(ControllerSnapshot("idle", position_known=False), place_known=True) == LOST
+    assert why_not_outline(ControllerSnapshot("running"), place_known=True) == RULES["outline"].why_not
+    assert why_not_outline(ControllerSnapshot(), place_known=False) == NOT_CONNECTED
 
 
 def test_stop_is_never_called_emergency_stop() -> None:
