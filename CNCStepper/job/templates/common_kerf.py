@@ -12,9 +12,10 @@ from CNCStepper.tolerances import COMMON_LINE_MM
 
 def kerfs_mm(job: Job) -> dict[int, float]:
     """Return the kerf of each operation that cuts sheets, by its number from 1; raises CycleError for a wrong one."""
+    setups = [job.setup(operation) for operation in job.operation]
     return {
-        number: measures_of(operation, job.setup(operation)).kerf_mm
-        for number, operation in enumerate(job.operation, start=1)
+        number: measures_of(operation, setup).kerf_mm
+        for number, (operation, setup) in enumerate(zip(job.operation, setups, strict=True), start=1)
         if isinstance(operation, SheetCut)
     }
 
