@@ -6,7 +6,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 # The tests start many a Python: each would compile anew what it loads, some 10 s of `make quick`.
 unexport PYTHONDONTWRITEBYTECODE
-.PHONY: help setup demo test matrix quick soak fuzz bench bench-guard lint translations pictures manual installer clean
+.PHONY: help setup demo test matrix quick soak monkey fuzz bench bench-guard lint translations pictures manual installer clean
 
 help:
 	@echo "make demo    draw, cut and check the demonstration part in headless FreeCAD and on the virtual grbl"
@@ -14,6 +14,7 @@ help:
 	@echo "make matrix  the tests inside FreeCAD 0.20.2, 1.0.0 and 1.1.3, with and without a window (sets them up; as root)"
 	@echo "make quick   the tests that take under 60 s together and need no FreeCAD"
 	@echo "make soak    the random cases of every cycle, 500 each in place of 25, and 5000 sends under faults (hours); RUNS=n takes another number"
+	@echo "make monkey  20 000 random clicks, keys and values over the panels in FreeCAD's window (STEPS=n, SEED=n; hours)"
 	@echo "make fuzz    100 000 hostile programs for the reader (CASES=n), $(FILES) mutated jobs and profiles, a quarter of it tool files and drawings (FILES=n), then atheris looks for more for FUZZ_S=300 seconds"
 	@echo "make bench   measure speed, beside the programs we compare ourselves with"
 	@echo "make bench-guard   compare these ratios with those recorded last; name what fell by more than 10 %"
@@ -65,6 +66,12 @@ soak:
 	@grep -rlE --include='test_*.py' "helpers.cycles.seeds import|CNCSTEPPER_CASES|CNCSTEPPER_FAULT_RUNS" tests/unit | \
 		CNCSTEPPER_CASES=$(RUNS) CNCSTEPPER_FAULT_RUNS=$(FAULT_RUNS) xargs -d '\n' \
 		.venv/bin/python -m pytest -n 2 --dist worksteal
+
+STEPS := 20000
+SEED := 1
+monkey: setup
+	@CNCSTEPPER_MONKEY_STEPS=$(STEPS) CNCSTEPPER_MONKEY_SEED=$(SEED) CNCSTEPPER_WINDOW_LIMIT_S=$$((600 + $(STEPS) * 5)) \
+		tools/window.sh host plain -q tests/window/monkey_walks.py
 
 CASES := 100000
 FILES := 2000

@@ -3,6 +3,7 @@
 
 MM_PER_INCH = 25.4
 UNIT_MM = {"mm": 1.0, "inch": MM_PER_INCH}
+LAST_DIGIT = {"mm": 0.001, "inch": 0.0001}  # of a control's numbers without a point, in units of the text
 S_PER_MIN = 60.0
 
 

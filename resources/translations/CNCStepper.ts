@@ -112,6 +112,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along Z, from there towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along a line or arc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -204,11 +208,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At its end towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At the end face; 0: none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At the shoulder; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -233,6 +249,22 @@
         </message>
         <message>
             <source>Before zero</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin Chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin Fillet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -412,6 +444,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cone By</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone by</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Constant Surface Speed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -584,6 +628,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cutting hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cycle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -608,7 +656,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Depth of cut ap</source>
+            <source>Depth of cut (ap): of one pass at most, on the radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -720,7 +768,31 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>End Chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End Diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End Fillet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>End angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1053,6 +1125,10 @@
         </message>
         <message>
             <source>Greatest feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1480,6 +1556,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its two diameters, or an angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jaw Diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -1533,6 +1613,10 @@
         </message>
         <message>
             <source>Kind</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Last Pass</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -1617,6 +1701,10 @@
         </message>
         <message>
             <source>Leave</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -2892,10 +2980,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of the first pass</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3005,6 +3089,10 @@
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The force of all jaws, in newtons; 0: not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -3513,6 +3601,14 @@
         </message>
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the cone begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the cone begins; 0: at a tip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4255,6 +4351,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Along Z, from there towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Along Z, mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4387,7 +4487,15 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>At its end towards the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At the end face; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4396,6 +4504,10 @@
         </message>
         <message>
             <source>At the full depth, besides the last one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>At the shoulder; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4480,6 +4592,14 @@
         </message>
         <message>
             <source>Begin so much earlier on the same cut, so that no ridge stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4811,6 +4931,22 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone by</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Cone turning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Connect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5043,6 +5179,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cutting hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cutting table A</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5115,7 +5255,7 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Depth of cut ap</source>
+            <source>Depth of cut (ap): of one pass at most, on the radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5459,7 +5599,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>End diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>End the search with the best so far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: chamfer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>End: radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6168,6 +6320,10 @@
         </message>
         <message>
             <source>Grey values are from the chart; typed values replace them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Grip</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6895,6 +7051,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Its two diameters, or an angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jaw diameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7088,6 +7248,10 @@
         </message>
         <message>
             <source>Leave out of the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9675,10 +9839,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The depth of one pass at most, on the radius</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth of the first pass</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9804,6 +9964,10 @@
         </message>
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The force of all jaws, in newtons; 0: not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10875,6 +11039,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Where the cone begins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Where the cone begins; 0: at a tip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Where the copies lie</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11316,6 +11488,10 @@
         </message>
         <message>
             <source>aluminium 6061</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an angle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12123,6 +12299,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>parting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>parting and grooving</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12484,6 +12664,10 @@
         </message>
         <message>
             <source>turning outside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>two diameters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16459,6 +16643,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>P of G76's first block is six digits: finishing passes, pull-out, angle</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>PID eq {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16468,6 +16656,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Q asks for too many pecks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Q makes too many passes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Q of G76, the first cut, must be above 0 and at most P, the depth; the last cut below it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16500,6 +16696,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>R lies below {normal}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>R of G73 is how many passes it makes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16719,6 +16919,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a boring bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a bulge is not that of an arc in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16772,6 +16976,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a corner is either rounded (A) or broken (C)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a corner of the cone has {name}_chamfer_mm or {name}_fillet_mm, not both</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17191,6 +17399,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a parting blade</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17252,6 +17464,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a profile is made of edges</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a profile may not hold a cycle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17348,6 +17564,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a request without the session's token</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a right-hand turning tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17463,6 +17683,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a threading tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17503,7 +17727,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a turning or boring tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a turret in front of the axis takes the same program; to move the path use offset</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17792,6 +18024,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>an incremental move needs a known position</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an incremental word needs a known position</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18744,6 +18980,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct Q, P or R</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20539,30 +20779,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>kind "turning" or "boring"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "boring"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "drill"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "parting"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "threading"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>kind = "turning", hand = "right"</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20924,6 +21140,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>lower ap_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21364,6 +21584,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>name it once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name its first and its last block</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21915,6 +22139,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>number the profile's first and last block</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>numbers 1 to {largest}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22328,6 +22556,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>radius 0 mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radius at its end 0 mm or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23683,6 +23915,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the cone ends beyond the axis: angle_deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the cone is wider than the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the configuration is not valid</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24012,6 +24252,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the depth of cut is above the tool's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the depth of cut of {name} must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25091,6 +25335,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the mirror image of a lathe's X lies over the axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the motor of {name} may lose steps: at {speed:.4g} mm/s ({rpm_at:.0f} rpm) and {acceleration:.4g} mm/s² it has too little torque</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25467,6 +25715,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the profile has no more than one move</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile is closed: it has no end at the chuck</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25484,6 +25736,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the profile lies in the hole: there is nothing to bore</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile of this cycle is in other blocks, which are not rewritten with it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25532,6 +25788,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the program has no F word</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program has no block N{number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25983,6 +26243,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the spindle turns at {rpm:.0f} rpm, the nearest of the machine's speeds to {wanted:.0f} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the spindle's speed is set by hand</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26352,6 +26616,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the word {letter} has no number that can be read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the words of G76 are the depths and angles of a thread, which no path edit changes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27635,6 +27903,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write 0.35 mm as 350</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write ATAN[y]/[x]</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27759,15 +28031,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write P010060, for example</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write S before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write T{number}, and keep the offset of the tool there</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>write X and Z: coordinates from where the tool is are not read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27796,6 +28068,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write a G0 with numbers before it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a block {name} with {letters} before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27972,6 +28248,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write its endif, endwhile, endrepeat, while or endsub</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write its passes as moves: make the program again with canned = false</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28735,6 +29015,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{letter} and {axis} are the same axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{letter} continues from the last point: neither with {other} nor under G91</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28756,6 +29040,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{letter} must be a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} of G76 has no point: it is in steps of the last digit</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29015,6 +29303,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} needs its first block, with {letter}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} needs the spindle to turn</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29031,11 +29323,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} needs the whole program: the profile is in other blocks</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} sends more than was asked for</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{name} takes no F: the spindle drives it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} takes no {letter}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29881,6 +30181,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Turn roughing</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnTaper</name>
+        <message>
+            <source>Turn cone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Turns a cone by its diameters or its angle, without a profile</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -112,6 +112,10 @@
             <translation>Ao longo de Z, de X ou do perfil</translation>
         </message>
         <message>
+            <source>Along Z, from there towards the chuck</source>
+            <translation>Ao longo de Z, dali em direção à placa</translation>
+        </message>
+        <message>
             <source>Along a line or arc</source>
             <translation>Ao longo de uma linha ou arco</translation>
         </message>
@@ -204,12 +208,24 @@
             <translation>Como múltiplo da espessura; 0: nenhum pela espessura</translation>
         </message>
         <message>
+            <source>At its end towards the chuck</source>
+            <translation>No fim dele, do lado da placa</translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
         </message>
         <message>
+            <source>At the end face; 0: none</source>
+            <translation>Na face; 0: nenhum</translation>
+        </message>
+        <message>
             <source>At the full depth, besides the last one</source>
             <translation>Na profundidade total, além do último</translation>
+        </message>
+        <message>
+            <source>At the shoulder; 0: none</source>
+            <translation>No encosto; 0: nenhum</translation>
         </message>
         <message>
             <source>Axis</source>
@@ -234,6 +250,22 @@
         <message>
             <source>Before zero</source>
             <translation>Antes do zero</translation>
+        </message>
+        <message>
+            <source>Begin Chamfer</source>
+            <translation>Chanfro inicial</translation>
+        </message>
+        <message>
+            <source>Begin Fillet</source>
+            <translation>Raio inicial</translation>
+        </message>
+        <message>
+            <source>Begin: chamfer</source>
+            <translation>Início: chanfro</translation>
+        </message>
+        <message>
+            <source>Begin: radius</source>
+            <translation>Início: raio</translation>
         </message>
         <message>
             <source>Below thickness times</source>
@@ -412,6 +444,18 @@
             <translation>Linhas comuns</translation>
         </message>
         <message>
+            <source>Cone By</source>
+            <translation>Cone por</translation>
+        </message>
+        <message>
+            <source>Cone by</source>
+            <translation>Cone por</translation>
+        </message>
+        <message>
+            <source>Cone length</source>
+            <translation>Comprimento do cone</translation>
+        </message>
+        <message>
             <source>Constant Surface Speed</source>
             <translation>Velocidade de corte constante</translation>
         </message>
@@ -584,6 +628,10 @@
             <translation>Corte</translation>
         </message>
         <message>
+            <source>Cutting hand</source>
+            <translation>Sentido de corte</translation>
+        </message>
+        <message>
             <source>Cycle</source>
             <translation>Ciclo</translation>
         </message>
@@ -608,8 +656,8 @@
             <translation>Profundidade de</translation>
         </message>
         <message>
-            <source>Depth of cut ap</source>
-            <translation>Profundidade de corte ap</translation>
+            <source>Depth of cut (ap): of one pass at most, on the radius</source>
+            <translation>Profundidade de corte (ap): no máximo por passe, no raio</translation>
         </message>
         <message>
             <source>Depth per pass</source>
@@ -720,8 +768,32 @@
             <translation>Elipse</translation>
         </message>
         <message>
+            <source>End Chamfer</source>
+            <translation>Chanfro final</translation>
+        </message>
+        <message>
+            <source>End Diameter</source>
+            <translation>Diâmetro final</translation>
+        </message>
+        <message>
+            <source>End Fillet</source>
+            <translation>Raio final</translation>
+        </message>
+        <message>
             <source>End angle</source>
             <translation>Ângulo final</translation>
+        </message>
+        <message>
+            <source>End diameter</source>
+            <translation>Diâmetro final</translation>
+        </message>
+        <message>
+            <source>End: chamfer</source>
+            <translation>Fim: chanfro</translation>
+        </message>
+        <message>
+            <source>End: radius</source>
+            <translation>Fim: raio</translation>
         </message>
         <message>
             <source>Ends that are nearer than this are moved together</source>
@@ -1054,6 +1126,10 @@
         <message>
             <source>Greatest feed</source>
             <translation>Maior avanço</translation>
+        </message>
+        <message>
+            <source>Grip</source>
+            <translation>Força de aperto</translation>
         </message>
         <message>
             <source>Half the width along its second axis</source>
@@ -1480,6 +1556,10 @@
             <translation>Seu nome nos arquivos de trabalho</translation>
         </message>
         <message>
+            <source>Its two diameters, or an angle</source>
+            <translation>Os dois diâmetros, ou um ângulo</translation>
+        </message>
+        <message>
             <source>Jaw Diameter</source>
             <translation>Diâmetro das castanhas</translation>
         </message>
@@ -1534,6 +1614,10 @@
         <message>
             <source>Kind</source>
             <translation>Tipo</translation>
+        </message>
+        <message>
+            <source>Last Pass</source>
+            <translation>Último passe</translation>
         </message>
         <message>
             <source>Last hole</source>
@@ -1618,6 +1702,10 @@
         <message>
             <source>Leave</source>
             <translation>Sai</translation>
+        </message>
+        <message>
+            <source>Left on the cone for a last pass along it; 0: none</source>
+            <translation>Deixado no cone para um último passe ao longo dele; 0: nenhum</translation>
         </message>
         <message>
             <source>Left on the face for another operation</source>
@@ -2892,10 +2980,6 @@
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
         <message>
-            <source>The depth of one pass at most, on the radius</source>
-            <translation>A profundidade de um passe, no máximo, no raio</translation>
-        </message>
-        <message>
             <source>The depth of the first pass</source>
             <translation>A profundidade do primeiro passe</translation>
         </message>
@@ -3006,6 +3090,10 @@
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
             <translation>O plano na ponta de uma fresa em V ou de gravação; 0: ela é pontiaguda</translation>
+        </message>
+        <message>
+            <source>The force of all jaws, in newtons; 0: not known</source>
+            <translation>A força de todas as castanhas, em newtons; 0: não conhecida</translation>
         </message>
         <message>
             <source>The form of the cutter</source>
@@ -3514,6 +3602,14 @@
         <message>
             <source>Where the arc begins; counter-clockwise from X</source>
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
+        </message>
+        <message>
+            <source>Where the cone begins</source>
+            <translation>Onde o cone começa</translation>
+        </message>
+        <message>
+            <source>Where the cone begins; 0: at a tip</source>
+            <translation>Onde o cone começa; 0: numa ponta</translation>
         </message>
         <message>
             <source>Where the copies lie</source>
@@ -4255,6 +4351,10 @@
             <translation>Ao longo de Z, de X ou do perfil</translation>
         </message>
         <message>
+            <source>Along Z, from there towards the chuck</source>
+            <translation>Ao longo de Z, dali em direção à placa</translation>
+        </message>
+        <message>
             <source>Along Z, mm</source>
             <translation>Ao longo de Z, mm</translation>
         </message>
@@ -4387,8 +4487,16 @@
             <translation>Perguntar de novo</translation>
         </message>
         <message>
+            <source>At its end towards the chuck</source>
+            <translation>No fim dele, do lado da placa</translation>
+        </message>
+        <message>
             <source>At smaller corners the wire neither pauses nor slows down</source>
             <translation>Onde o caminho vira menos, o fio nem para nem vai mais devagar</translation>
+        </message>
+        <message>
+            <source>At the end face; 0: none</source>
+            <translation>Na face; 0: nenhum</translation>
         </message>
         <message>
             <source>At the end of {0}</source>
@@ -4397,6 +4505,10 @@
         <message>
             <source>At the full depth, besides the last one</source>
             <translation>Na profundidade total, além do último</translation>
+        </message>
+        <message>
+            <source>At the shoulder; 0: none</source>
+            <translation>No encosto; 0: nenhum</translation>
         </message>
         <message>
             <source>At work: [{0}]({1}).</source>
@@ -4481,6 +4593,14 @@
         <message>
             <source>Begin so much earlier on the same cut, so that no ridge stays</source>
             <translation>Começa tanto antes no mesmo corte, para que não fique nenhuma rebarba</translation>
+        </message>
+        <message>
+            <source>Begin: chamfer</source>
+            <translation>Início: chanfro</translation>
+        </message>
+        <message>
+            <source>Begin: radius</source>
+            <translation>Início: raio</translation>
         </message>
         <message>
             <source>Begins at</source>
@@ -4811,6 +4931,22 @@
             <translation>Comparando o corte com o desenho…</translation>
         </message>
         <message>
+            <source>Cone</source>
+            <translation>Cone</translation>
+        </message>
+        <message>
+            <source>Cone by</source>
+            <translation>Cone por</translation>
+        </message>
+        <message>
+            <source>Cone length</source>
+            <translation>Comprimento do cone</translation>
+        </message>
+        <message>
+            <source>Cone turning</source>
+            <translation>Tornear cone</translation>
+        </message>
+        <message>
             <source>Connect</source>
             <translation>Conectar</translation>
         </message>
@@ -5043,6 +5179,10 @@
             <translation>Corte</translation>
         </message>
         <message>
+            <source>Cutting hand</source>
+            <translation>Sentido de corte</translation>
+        </message>
+        <message>
             <source>Cutting table A</source>
             <translation>Mesa de corte A</translation>
         </message>
@@ -5115,8 +5255,8 @@
             <translation>Profundidade</translation>
         </message>
         <message>
-            <source>Depth of cut ap</source>
-            <translation>Profundidade de corte ap</translation>
+            <source>Depth of cut (ap): of one pass at most, on the radius</source>
+            <translation>Profundidade de corte (ap): no máximo por passe, no raio</translation>
         </message>
         <message>
             <source>Depth per pass</source>
@@ -5459,8 +5599,20 @@
             <translation>Ângulo final</translation>
         </message>
         <message>
+            <source>End diameter</source>
+            <translation>Diâmetro final</translation>
+        </message>
+        <message>
             <source>End the search with the best so far</source>
             <translation>Terminar a busca com o melhor até agora</translation>
+        </message>
+        <message>
+            <source>End: chamfer</source>
+            <translation>Fim: chanfro</translation>
+        </message>
+        <message>
+            <source>End: radius</source>
+            <translation>Fim: raio</translation>
         </message>
         <message>
             <source>Ends joined</source>
@@ -6169,6 +6321,10 @@
         <message>
             <source>Grey values are from the chart; typed values replace them</source>
             <translation>Valores em cinza são da tabela; o que você digita prevalece</translation>
+        </message>
+        <message>
+            <source>Grip</source>
+            <translation>Força de aperto</translation>
         </message>
         <message>
             <source>Groove</source>
@@ -6895,6 +7051,10 @@
             <translation>Depois disso a posição é desconhecida: referencie a máquina ou defina o zero.</translation>
         </message>
         <message>
+            <source>Its two diameters, or an angle</source>
+            <translation>Os dois diâmetros, ou um ângulo</translation>
+        </message>
+        <message>
             <source>Jaw diameter</source>
             <translation>Diâmetro das castanhas</translation>
         </message>
@@ -7089,6 +7249,10 @@
         <message>
             <source>Leave out of the program</source>
             <translation>Deixar fora do programa</translation>
+        </message>
+        <message>
+            <source>Left on the cone for a last pass along it; 0: none</source>
+            <translation>Deixado no cone para um último passe ao longo dele; 0: nenhum</translation>
         </message>
         <message>
             <source>Left on the face for another operation</source>
@@ -9675,10 +9839,6 @@
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
         <message>
-            <source>The depth of one pass at most, on the radius</source>
-            <translation>A profundidade de um passe, no máximo, no raio</translation>
-        </message>
-        <message>
             <source>The depth of the first pass</source>
             <translation>A profundidade do primeiro passe</translation>
         </message>
@@ -9805,6 +9965,10 @@
         <message>
             <source>The flat at the tip of a V-bit or engraver; 0: it is pointed</source>
             <translation>O plano na ponta de uma fresa em V ou de gravação; 0: ela é pontiaguda</translation>
+        </message>
+        <message>
+            <source>The force of all jaws, in newtons; 0: not known</source>
+            <translation>A força de todas as castanhas, em newtons; 0: não conhecida</translation>
         </message>
         <message>
             <source>The form of the cutter</source>
@@ -10875,6 +11039,14 @@
             <translation>Onde o arco começa; anti-horário a partir de X</translation>
         </message>
         <message>
+            <source>Where the cone begins</source>
+            <translation>Onde o cone começa</translation>
+        </message>
+        <message>
+            <source>Where the cone begins; 0: at a tip</source>
+            <translation>Onde o cone começa; 0: numa ponta</translation>
+        </message>
+        <message>
             <source>Where the copies lie</source>
             <translation>Onde estão as cópias</translation>
         </message>
@@ -11317,6 +11489,10 @@
         <message>
             <source>aluminium 6061</source>
             <translation>alumínio 6061</translation>
+        </message>
+        <message>
+            <source>an angle</source>
+            <translation>um ângulo</translation>
         </message>
         <message>
             <source>and {0} more</source>
@@ -12123,6 +12299,10 @@
             <translation>papel</translation>
         </message>
         <message>
+            <source>parting</source>
+            <translation>bedame</translation>
+        </message>
+        <message>
             <source>parting and grooving</source>
             <translation>sangrar e cortar</translation>
         </message>
@@ -12485,6 +12665,10 @@
         <message>
             <source>turning outside</source>
             <translation>tornear por fora</translation>
+        </message>
+        <message>
+            <source>two diameters</source>
+            <translation>dois diâmetros</translation>
         </message>
         <message>
             <source>unit</source>
@@ -16481,6 +16665,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o P de G04 são segundos em alguns comandos e milissegundos em outros</translation>
         </message>
         <message>
+            <source>P of G76's first block is six digits: finishing passes, pull-out, angle</source>
+            <translation>o P do primeiro bloco do G76 tem seis algarismos: passes de acabamento, saída, ângulo</translation>
+        </message>
+        <message>
             <source>PID eq {0}</source>
             <translation>PID eq {0}</translation>
         </message>
@@ -16491,6 +16679,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Q asks for too many pecks</source>
             <translation>Q pede picadas demais</translation>
+        </message>
+        <message>
+            <source>Q makes too many passes</source>
+            <translation>Q resulta em passes demais</translation>
+        </message>
+        <message>
+            <source>Q of G76, the first cut, must be above 0 and at most P, the depth; the last cut below it</source>
+            <translation>Q do G76, o primeiro passe, deve ser maior que 0 e no máximo P, a profundidade; o último passe, menor que ela</translation>
         </message>
         <message>
             <source>Q of M19 must be above 0</source>
@@ -16523,6 +16719,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>R lies below {normal}</source>
             <translation>R fica abaixo de {normal}</translation>
+        </message>
+        <message>
+            <source>R of G73 is how many passes it makes</source>
+            <translation>o R do G73 é o número de passes que ele faz</translation>
         </message>
         <message>
             <source>Radius of the inner corner</source>
@@ -16741,6 +16941,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma barra de {diameter:g} x {length:g} mm não contém material</translation>
         </message>
         <message>
+            <source>a boring bar</source>
+            <translation>uma barra de mandrilar</translation>
+        </message>
+        <message>
             <source>a bulge is not that of an arc in mm</source>
             <translation>um bulge não é o de um arco em mm</translation>
         </message>
@@ -16795,6 +16999,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a corner is either rounded (A) or broken (C)</source>
             <translation>um canto é arredondado (A) ou chanfrado (C)</translation>
+        </message>
+        <message>
+            <source>a corner of the cone has {name}_chamfer_mm or {name}_fillet_mm, not both</source>
+            <translation>um canto do cone tem {name}_chamfer_mm ou {name}_fillet_mm, não os dois</translation>
         </message>
         <message>
             <source>a corner of the mesh is no number</source>
@@ -17213,6 +17421,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma peça ou um valor mudou desde que as peças foram aninhadas</translation>
         </message>
         <message>
+            <source>a parting blade</source>
+            <translation>um bedame</translation>
+        </message>
+        <message>
             <source>a path has no length, or a coordinate that is no length in mm</source>
             <translation>um caminho não tem comprimento ou tem uma coordenada que não é um comprimento em mm</translation>
         </message>
@@ -17275,6 +17487,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a profile is made of edges</source>
             <translation>um perfil é feito de arestas</translation>
+        </message>
+        <message>
+            <source>a profile may not hold a cycle</source>
+            <translation>um perfil não pode conter um ciclo</translation>
         </message>
         <message>
             <source>a profile must be one chain of lines</source>
@@ -17371,6 +17587,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a request without the session's token</source>
             <translation>um pedido sem a chave da sessão</translation>
+        </message>
+        <message>
+            <source>a right-hand turning tool</source>
+            <translation>uma ferramenta de tornear à direita</translation>
         </message>
         <message>
             <source>a rotation of {0}</source>
@@ -17485,6 +17705,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma rosca mantém seu avanço por volta: um percurso com {owner} não é escalado</translation>
         </message>
         <message>
+            <source>a threading tool</source>
+            <translation>uma ferramenta de roscar</translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation>uma tolerância deve ser maior que 0</translation>
         </message>
@@ -17525,8 +17749,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma transformação não pode achatar a curva</translation>
         </message>
         <message>
+            <source>a turning or boring tool</source>
+            <translation>uma ferramenta de tornear ou de mandrilar</translation>
+        </message>
+        <message>
             <source>a turning tool needs insert, for example "CNMG 120408", or front_deg and back_deg</source>
             <translation>uma ferramenta de tornear precisa de insert, por exemplo "CNMG 120408", ou de front_deg e back_deg</translation>
+        </message>
+        <message>
+            <source>a turret in front of the axis takes the same program; to move the path use offset</source>
+            <translation>um porta-ferramentas à frente do eixo usa o mesmo programa; para deslocar o percurso use offset</translation>
         </message>
         <message>
             <source>a value in the expression does not fit its operation</source>
@@ -17815,6 +18047,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>an incremental move needs a known position</source>
             <translation>um movimento incremental precisa de uma posição conhecida</translation>
+        </message>
+        <message>
+            <source>an incremental word needs a known position</source>
+            <translation>uma palavra incremental precisa de uma posição conhecida</translation>
         </message>
         <message>
             <source>an input and output expander failed</source>
@@ -18767,6 +19003,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>corner_radius_mm must not exceed half of diameter_mm</source>
             <translation>corner_radius_mm não pode passar da metade de diameter_mm</translation>
+        </message>
+        <message>
+            <source>correct Q, P or R</source>
+            <translation>corrija Q, P ou R</translation>
         </message>
         <message>
             <source>correct R or the end point</source>
@@ -20561,30 +20801,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>kerf_mm não é o que esta ferramenta corta</translation>
         </message>
         <message>
-            <source>kind "turning" or "boring"</source>
-            <translation>kind "turning" ou "boring"</translation>
-        </message>
-        <message>
-            <source>kind = "boring"</source>
-            <translation>kind = "boring"</translation>
-        </message>
-        <message>
-            <source>kind = "drill"</source>
-            <translation>kind = "drill"</translation>
-        </message>
-        <message>
-            <source>kind = "parting"</source>
-            <translation>kind = "parting"</translation>
-        </message>
-        <message>
-            <source>kind = "threading"</source>
-            <translation>kind = "threading"</translation>
-        </message>
-        <message>
-            <source>kind = "turning", hand = "right"</source>
-            <translation>kind = "turning", hand = "right"</translation>
-        </message>
-        <message>
             <source>large cuts are being prepared, once after an installation</source>
             <translation>cortes grandes estão sendo preparados, uma vez após a instalação</translation>
         </message>
@@ -20947,6 +21163,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>lower ap_mm</source>
             <translation>diminua ap_mm</translation>
+        </message>
+        <message>
+            <source>lower it</source>
+            <translation>diminua-o</translation>
         </message>
         <message>
             <source>lower spindle_rpm</source>
@@ -21387,6 +21607,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>name it once</source>
             <translation>nomeie-a uma só vez</translation>
+        </message>
+        <message>
+            <source>name its first and its last block</source>
+            <translation>indique o primeiro e o último bloco dele</translation>
         </message>
         <message>
             <source>name its insert, or its angles and nose radius</source>
@@ -21937,6 +22161,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nada que um eixo move pesa mais que 100 t</translation>
         </message>
         <message>
+            <source>number the profile's first and last block</source>
+            <translation>numere o primeiro e o último bloco do perfil</translation>
+        </message>
+        <message>
             <source>numbers 1 to {largest}</source>
             <translation>números de 1 a {largest}</translation>
         </message>
@@ -22351,6 +22579,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>radius 0 mm</source>
             <translation>raio 0 mm</translation>
+        </message>
+        <message>
+            <source>radius at its end 0 mm or more</source>
+            <translation>raio no fim de 0 mm ou mais</translation>
         </message>
         <message>
             <source>radius {0} mm at z {1} mm</source>
@@ -23705,6 +23937,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o computador se atrasou com um pulso e parou após {written} escritas no prazo, {at_ns:.3f} s depois do início; fuso, feixe e motores estão desligados, e passos podem ter sido perdidos</translation>
         </message>
         <message>
+            <source>the cone ends beyond the axis: angle_deg</source>
+            <translation>o cone termina além do eixo: angle_deg</translation>
+        </message>
+        <message>
+            <source>the cone is wider than the bar</source>
+            <translation>o cone é mais largo que a barra</translation>
+        </message>
+        <message>
             <source>the configuration is not valid</source>
             <translation>a configuração não é válida</translation>
         </message>
@@ -24035,6 +24275,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the depth of cut is above the tool's</source>
             <translation>a profundidade de corte é maior que a da ferramenta</translation>
+        </message>
+        <message>
+            <source>the depth of cut of {name} must be above 0</source>
+            <translation>a profundidade de corte de {name} deve ser maior que 0</translation>
         </message>
         <message>
             <source>the depth over the key</source>
@@ -25113,6 +25357,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o diâmetro menor não combina com o maior e o passo</translation>
         </message>
         <message>
+            <source>the mirror image of a lathe's X lies over the axis</source>
+            <translation>a imagem espelhada do X de um torno fica além do eixo</translation>
+        </message>
+        <message>
             <source>the motor of {name} may lose steps: at {speed:.4g} mm/s ({rpm_at:.0f} rpm) and {acceleration:.4g} mm/s² it has too little torque</source>
             <translation>o motor de {name} pode perder passos: a {speed:.4g} mm/s ({rpm_at:.0f} rpm) e {acceleration:.4g} mm/s² falta-lhe torque</translation>
         </message>
@@ -25489,6 +25737,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o perfil não tem a chave {key}</translation>
         </message>
         <message>
+            <source>the profile has no more than one move</source>
+            <translation>o perfil tem no máximo um movimento</translation>
+        </message>
+        <message>
             <source>the profile is closed: it has no end at the chuck</source>
             <translation>o perfil é fechado: não tem extremidade junto à placa</translation>
         </message>
@@ -25507,6 +25759,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the profile lies in the hole: there is nothing to bore</source>
             <translation>o perfil fica dentro do furo: não há o que mandrilar</translation>
+        </message>
+        <message>
+            <source>the profile of this cycle is in other blocks, which are not rewritten with it</source>
+            <translation>o perfil deste ciclo está em outros blocos, que não são reescritos com ele</translation>
         </message>
         <message>
             <source>the profile turns back along Z</source>
@@ -25555,6 +25811,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the program has no F word</source>
             <translation>o programa não tem palavra F</translation>
+        </message>
+        <message>
+            <source>the program has no block N{number}</source>
+            <translation>o programa não tem o bloco N{number}</translation>
         </message>
         <message>
             <source>the program has no end</source>
@@ -26005,6 +26265,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a rotação está fora da faixa do fuso</translation>
         </message>
         <message>
+            <source>the spindle turns at {rpm:.0f} rpm, the nearest of the machine's speeds to {wanted:.0f} rpm</source>
+            <translation>o fuso gira a {rpm:.0f} rpm, a rotação da máquina mais próxima de {wanted:.0f} rpm</translation>
+        </message>
+        <message>
             <source>the spindle's speed is set by hand</source>
             <translation>a rotação do fuso é ajustada à mão</translation>
         </message>
@@ -26375,6 +26639,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the word {letter} has no number that can be read</source>
             <translation>a palavra {letter} não tem um número que possa ser lido</translation>
+        </message>
+        <message>
+            <source>the words of G76 are the depths and angles of a thread, which no path edit changes</source>
+            <translation>as palavras do G76 são as profundidades e os ângulos de uma rosca, que nenhuma edição de percurso altera</translation>
         </message>
         <message>
             <source>the words of {codes} are not edited</source>
@@ -27657,6 +27925,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva 0 onde a borda não importa</translation>
         </message>
         <message>
+            <source>write 0.35 mm as 350</source>
+            <translation>escreva 0,35 mm como 350</translation>
+        </message>
+        <message>
             <source>write ATAN[y]/[x]</source>
             <translation>escreva ATAN[y]/[x]</translation>
         </message>
@@ -27781,16 +28053,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva M70 antes, na mesma sub-rotina</translation>
         </message>
         <message>
+            <source>write P010060, for example</source>
+            <translation>escreva P010060, por exemplo</translation>
+        </message>
+        <message>
             <source>write S before</source>
             <translation>escreva S antes</translation>
         </message>
         <message>
             <source>write T{number}, and keep the offset of the tool there</source>
             <translation>escreva T{number} e guarde ali o corretor da ferramenta</translation>
-        </message>
-        <message>
-            <source>write X and Z: coordinates from where the tool is are not read</source>
-            <translation>escreva X e Z: coordenadas a partir de onde a ferramenta está não são lidas</translation>
         </message>
         <message>
             <source>write X and the seconds</source>
@@ -27819,6 +28091,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write a G0 with numbers before it</source>
             <translation>escreva antes dele um G0 com números</translation>
+        </message>
+        <message>
+            <source>write a block {name} with {letters} before</source>
+            <translation>escreva antes um bloco {name} com {letters}</translation>
         </message>
         <message>
             <source>write a decimal number after the letter</source>
@@ -27995,6 +28271,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write its endif, endwhile, endrepeat, while or endsub</source>
             <translation>escreva o seu endif, endwhile, endrepeat, while ou endsub</translation>
+        </message>
+        <message>
+            <source>write its passes as moves: make the program again with canned = false</source>
+            <translation>escreva os passes como movimentos: gere o programa outra vez com canned = false</translation>
         </message>
         <message>
             <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
@@ -28757,6 +29037,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{length} caracteres, {text} com espaços</translation>
         </message>
         <message>
+            <source>{letter} and {axis} are the same axis</source>
+            <translation>{letter} e {axis} são o mesmo eixo</translation>
+        </message>
+        <message>
             <source>{letter} continues from the last point: neither with {other} nor under G91</source>
             <translation>{letter} continua a partir do ponto anterior: nem com {other} nem sob G91</translation>
         </message>
@@ -28779,6 +29063,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{letter} must be a whole number</source>
             <translation>{letter} deve ser um número inteiro</translation>
+        </message>
+        <message>
+            <source>{letter} of G76 has no point: it is in steps of the last digit</source>
+            <translation>{letter} do G76 não leva ponto: é dado em passos do último algarismo</translation>
         </message>
         <message>
             <source>{letter} of {name} must be {word} 0</source>
@@ -29037,6 +29325,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{name} precisa de I e J</translation>
         </message>
         <message>
+            <source>{name} needs its first block, with {letter}</source>
+            <translation>{name} precisa do primeiro bloco, com {letter}</translation>
+        </message>
+        <message>
             <source>{name} needs the spindle to turn</source>
             <translation>{name} precisa que o fuso gire</translation>
         </message>
@@ -29053,12 +29345,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{name} precisa do programa inteiro: o perfil é uma sub-rotina</translation>
         </message>
         <message>
+            <source>{name} needs the whole program: the profile is in other blocks</source>
+            <translation>{name} precisa do programa inteiro: o perfil está em outros blocos</translation>
+        </message>
+        <message>
             <source>{name} sends more than was asked for</source>
             <translation>{name} envia mais do que foi pedido</translation>
         </message>
         <message>
             <source>{name} takes no F: the spindle drives it</source>
             <translation>{name} não aceita F: o fuso o conduz</translation>
+        </message>
+        <message>
+            <source>{name} takes no {letter}</source>
+            <translation>{name} não aceita {letter}</translation>
         </message>
         <message>
             <source>{name} was set before</source>
@@ -29904,6 +30204,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Turn roughing</source>
             <translation>Desbaste no torno</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_TurnTaper</name>
+        <message>
+            <source>Turn cone</source>
+            <translation>Tornear cone</translation>
+        </message>
+        <message>
+            <source>Turns a cone by its diameters or its angle, without a profile</source>
+            <translation>Torneia um cone pelos diâmetros ou pelo ângulo, sem perfil</translation>
         </message>
     </context>
     <context>

@@ -70,6 +70,7 @@ CHANGES = {
     "turn_face": {"to_diameter_mm": 20.0},
     "turn_rough": {"ap_mm": 1.25},
     "turn_finish": {"feed_mm_rev": 0.15},
+    "turn_taper": {"begin_chamfer_mm": 0.5},
     "turn_groove": {"width_mm": 4.0},
     "turn_part": {"peck_mm": 2.0},
     "turn_drill": {"depth_mm": 22.0},
@@ -97,6 +98,7 @@ def whole(document: Any) -> Any:
     api.add_operation(job, "turn_thread", tool=threading, thread="M30x1.5", length_mm=15, pull_out_mm=1)
     api.add_operation(job, "turn_groove", tool=blade, z_mm=-25, width_mm=3, diameter_mm=26, top_diameter_mm=30)
     api.add_operation(job, "turn_part", tool=blade, z_mm=-45)
+    api.add_operation(job, "turn_taper", tool=turning, diameter_mm=20, end_diameter_mm=28, length_mm=15)
     document.recompute()
     return job
 

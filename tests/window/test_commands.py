@@ -79,6 +79,23 @@ DRAWN = ("CNCStepper_Pocket", "CNCStepper_Contour", "CNCStepper_Engrave")  # can
 OF_SHEETS = ("CNCStepper_SheetCut", "CNCStepper_WireCut")  # not of milling, which these jobs are cut by
 MILLED = [name for name in LABELS if name not in (*OF_SHEETS, TEMPLATE)]
 BY_NUMBERS = [name for name in OPERATIONS if name not in (*DRAWN, *OF_SHEETS)]
+WITH_PROGRAM = (
+    NEW_JOB,
+    IMPORT,
+    *ALWAYS,
+    *IN_DOCUMENT,
+    *BY_NUMBERS,
+    EDIT,
+    OPEN,
+    SAVE,
+    ARRANGE,
+    SIMULATE,
+    SEND,
+    CONTROLLER,
+    MACHINES,
+    LIBRARY,
+    LETTERS,
+)  # one job that has a program
 POCKET, ENGRAVE = "CNCStepper_EllipticalPocket", "CNCStepper_Engrave"
 
 
@@ -200,24 +217,7 @@ def test_a_job_without_operations(hand: Hand) -> None:
 
 def test_a_job_with_a_program(hand: Hand) -> None:
     job = hand.main(lambda: new_job(new_document()))
-    expect_enabled(
-        hand,
-        NEW_JOB,
-        IMPORT,
-        *ALWAYS,
-        *IN_DOCUMENT,
-        *BY_NUMBERS,
-        EDIT,
-        OPEN,
-        SAVE,
-        ARRANGE,
-        SIMULATE,
-        SEND,
-        CONTROLLER,
-        MACHINES,
-        LIBRARY,
-        LETTERS,
-    )
+    expect_enabled(hand, *WITH_PROGRAM)
     hand.main(lambda: select(sketch_of(job.Document, ellipse())))
     expect_enabled(hand, *MILLED)
     assert "Milling" in reason(hand, "CNCStepper_SheetCut")
@@ -230,24 +230,7 @@ def test_of_several_jobs_one_must_be_meant(hand: Hand) -> None:
     expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LIBRARY, LETTERS)
     hand.wait(lambda: reason(hand, SEND) == "Select the job in the tree: this document has several")
     hand.main(select, jobs[1].Operations[0])
-    expect_enabled(
-        hand,
-        NEW_JOB,
-        IMPORT,
-        *ALWAYS,
-        *IN_DOCUMENT,
-        *BY_NUMBERS,
-        EDIT,
-        OPEN,
-        SAVE,
-        ARRANGE,
-        SIMULATE,
-        SEND,
-        CONTROLLER,
-        MACHINES,
-        LIBRARY,
-        LETTERS,
-    )
+    expect_enabled(hand, *WITH_PROGRAM)
     hand.main(select, *jobs)
     expect_enabled(hand, NEW_JOB, *ALWAYS, *IN_DOCUMENT, OPEN, CONTROLLER, MACHINES, LIBRARY, LETTERS)
 
@@ -270,24 +253,7 @@ class Panel:
 
 def test_one_task_panel_at_a_time(hand: Hand) -> None:
     hand.main(lambda: new_job(new_document()))
-    expect_enabled(
-        hand,
-        NEW_JOB,
-        IMPORT,
-        *ALWAYS,
-        *IN_DOCUMENT,
-        *BY_NUMBERS,
-        EDIT,
-        OPEN,
-        SAVE,
-        ARRANGE,
-        SIMULATE,
-        SEND,
-        CONTROLLER,
-        MACHINES,
-        LIBRARY,
-        LETTERS,
-    )
+    expect_enabled(hand, *WITH_PROGRAM)
     hand.main(lambda: FreeCADGui.Control.showDialog(Panel()))
     expect_enabled(hand, OPEN, CONTROLLER, MACHINES, LIBRARY, LETTERS)
     assert reason(hand, POCKET) == "Close the open task panel first"

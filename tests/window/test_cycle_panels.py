@@ -24,8 +24,8 @@ from CNCStepper.workbench.panels.tools.tool_words import tool_words
 from CNCStepper.workbench.proving.proof_process import ProofRun
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
+from window_helpers.task_panels import PANEL, accept, begin
 
-PANEL = "CNCStepper_Panel_"
 RIGHT = QtCore.Qt.ArrowType.RightArrow  # of a group that is folded
 PORTUGUESE = "pt-BR"
 DRAWN = {"pocket": "Hollow", "contour": "Outline", "engrave": "Hollow"}
@@ -69,21 +69,6 @@ def unfold(name: str = "") -> None:
         ours = head.objectName().startswith(f"{PANEL}group_{name}")
         if ours and head.isVisible() and head.arrowType() == RIGHT:
             head.click()
-
-
-def accept(hand: Hand) -> None:
-    hand.click(f"{PANEL}ok")
-    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
-
-
-def begin(hand: Hand, command: str, drawing: str = "") -> None:
-    """Select a drawing, or nothing, and press a command's button."""
-    hand.main(FreeCADGui.Selection.clearSelection)
-    if drawing:
-        hand.tree(drawing)
-    hand.wait(lambda: FreeCADGui.Command.get(command).getAction()[0].isEnabled(), 10, f"{command} to be enabled")
-    hand.command(command)
-    hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, f"the panel of {command}")
 
 
 def test_a_plate_by_mouse_and_keyboard(hand: Hand) -> None:

@@ -88,6 +88,14 @@ def zeroed(hand: Hand) -> None:
     hand.wait(lambda: start_button().isEnabled(), 10, "Start")
 
 
+def started(hand: Hand) -> None:
+    """Send the job, set the work zero when it is asked for, and start."""
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60)
+    zeroed(hand)
+    hand.click(f"{D}Start")
+
+
 def work_mm(hand: Hand, axis: str) -> float:
     return float(hand.text(f"{D}Work{axis}"))
 
@@ -251,10 +259,7 @@ def fits(label: Any) -> bool:
 def test_stop_ends_the_job_and_says_how_it_stands(hand: Hand, dock: Any) -> None:
     pocket(hand)
     connected(hand, "1× speed")
-    hand.command("CNCStepper_Send")
-    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60)
-    zeroed(hand)
-    hand.click(f"{D}Start")
+    started(hand)
     says(hand, "Running")
     hand.click(f"{D}Stop")
     hand.wait(lambda: "Stopped" in hand.text(f"{D}FlowTitle"), 20)
@@ -286,10 +291,7 @@ def test_warnings_are_shown_and_a_person_goes_on(hand: Hand, dock: Any) -> None:
 def test_a_controller_set_up_differently_cuts_only_when_somebody_says_so(hand: Hand, dock: Any) -> None:
     pocket(hand, machine="table-b")
     connected(hand)
-    hand.command("CNCStepper_Send")
-    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60)
-    zeroed(hand)
-    hand.click(f"{D}Start")
+    started(hand)
     hand.wait(lambda: "Another machine" in hand.text(f"{D}FlowTitle"))
     assert "$100" in hand.text(f"{D}FlowDetail") and hand.text(f"{D}State") == "Idle"
     hand.shot("dock-differs")
@@ -422,10 +424,7 @@ def start_button() -> Any:
 def test_the_window_asks_before_it_closes_over_a_job(hand: Hand, dock: Any) -> None:
     pocket(hand)
     connected(hand, "1× speed")
-    hand.command("CNCStepper_Send")
-    hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60)
-    zeroed(hand)
-    hand.click(f"{D}Start")
+    started(hand)
     says(hand, "Running")
     window = FreeCADGui.getMainWindow()
     hand.main(lambda: QtCore.QTimer.singleShot(0, window.close))

@@ -15,28 +15,12 @@ from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
 from window_helpers.hand import Hand
-
-PANEL = "CNCStepper_Panel_"
+from window_helpers.task_panels import PANEL, accept, begin
 
 
 def the(kind: str) -> Any:
     (found,) = [obj for obj in FreeCAD.ActiveDocument.Objects if proxy_type(obj) == f"CNCStepper_{kind}"]
     return found
-
-
-def begin(hand: Hand, command: str, selected: str = "") -> None:
-    """Select an object, or nothing, and press a command's button."""
-    hand.main(FreeCADGui.Selection.clearSelection)
-    if selected:
-        hand.tree(selected)
-    hand.wait(lambda: FreeCADGui.Command.get(command).getAction()[0].isEnabled(), 10, f"{command} to be enabled")
-    hand.command(command)
-    hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, f"the panel of {command}")
-
-
-def accept(hand: Hand) -> None:
-    hand.click(f"{PANEL}ok")
-    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
 
 
 def rows(hand: Hand, *lines: str) -> None:
@@ -64,6 +48,7 @@ def test_a_shaft_by_mouse_and_keyboard(hand: Hand) -> None:
     hand.wait(lambda: the("LatheJob").Length.Value == 90, 10, "the bar")
     hand.shot("lathe-1-job")
     accept(hand)
+    assert hand.main(lambda: the("TurningTool").Label) == "T1 CNMG 120408"
     begin(hand, "CNCStepper_TurningProfile")
     rows(hand, "24; 0", "24; -30; fillet 2", "36; -40", "36; -50")
     hand.wait(lambda: len(the("TurningProfile").Points) == 4, 10, "the rows")

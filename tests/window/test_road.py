@@ -16,8 +16,9 @@ import pytest
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import proxy_type
 from window_helpers.hand import PICTURES, Hand
+from window_helpers.task_panels import PANEL, accept
 
-DOCK, PANEL, PLAYER = "CNCStepper_Dock_", "CNCStepper_Panel_", "CNCStepper_Simulation_"
+DOCK, PLAYER = "CNCStepper_Dock_", "CNCStepper_Simulation_"
 LEAF_MM = [(-18 + 36 * k / 40, 9 * math.sin(k / 40 * 2 * math.pi)) for k in range(41)]
 
 
@@ -30,11 +31,6 @@ def own_sessions(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.M
 def ours(kind: str) -> list[Any]:
     document = FreeCAD.ActiveDocument
     return [obj for obj in document.Objects if proxy_type(obj) == f"CNCStepper_{kind}"] if document else []
-
-
-def accept(hand: Hand) -> None:
-    hand.click(f"{PANEL}ok")
-    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 10, "the panel to close")
 
 
 def undo_count() -> int:

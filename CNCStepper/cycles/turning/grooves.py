@@ -58,7 +58,7 @@ def part(operation: TurnPart, setup: TurningSetup, moves: TurningMoves) -> dict[
 def _blade(setup: TurningSetup) -> tuple[float, float]:
     """Return where the blade's side towards the chuck lies from the control point, and its width."""
     if setup.tool.kind != "parting":
-        what, limit = "grooves and parting take a blade", 'kind = "parting"'
+        what, limit = "grooves and parting take a blade", "a parting blade"
         raise CycleError("blade-tool", what, value=setup.tool.words, limit=limit, advice="use another tool")
     return min(z for z, _, _ in setup.tool.outline()), setup.tool.width_mm
 

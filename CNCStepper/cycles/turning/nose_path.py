@@ -24,6 +24,7 @@ from CNCStepper.geometry.region import Region
 from CNCStepper.tolerances import SAME_EDGE_DEG, SAME_MM
 
 OFFSET_TOLERANCE_MM = 1e-4
+LEAST_RUN = 0.05  # to the left, of a length along the end of a profile that is no wall itself
 BODY_MM = 50.0  # how far the region below a profile goes on
 CHORDS_MM = 1e-3  # of a profile whose stock is measured
 LEAST_NOSE_DEG = 1.0  # of an insert that could be
@@ -35,8 +36,12 @@ def framed(curve: Curve, side: float) -> Curve:
     return curve if side > 0 else Curve(curve.xy * (1.0, -1.0), -curve.bulge)
 
 
-def centre_path(profile: Curve, distance_mm: float, top_mm: float) -> Curve:
-    """Return the path of the centre at a distance from a framed profile, ending on its wall at r = top_mm."""
+def centre_path(profile: Curve, distance_mm: float, top_mm: float, raw_mm: float = math.inf) -> Curve:
+    """Return the path of the centre at a distance from a framed profile, ending on its wall at r = top_mm.
+
+    raw_mm: height of the raw surface, at which that wall ends; a low one lets the nose come nearer.
+    """
+    profile = _over_low_wall(profile, distance_mm, raw_mm)
     (z_first, r_first), z_last = profile.xy[0], profile.xy[-1, 0]
     high = max(top_mm, float(profile.points(0.01)[:, 1].max()) + 1.0)
     low = float(min(profile.points(0.01)[:, 1].min(), 0.0)) - BODY_MM
@@ -46,6 +51,26 @@ def centre_path(profile: Curve, distance_mm: float, top_mm: float) -> Curve:
     loop = Region.of([Curve(xy, bulge).without_short()]).offset(distance_mm, OFFSET_TOLERANCE_MM).loops[0]
     places_mm = loop.nearest(np.array([_first_centre(profile, loop, distance_mm), (z_last + distance_mm, high)]))[1]
     return loop.part(float(places_mm[0]), float(places_mm[1]))
+
+
+def _over_low_wall(profile: Curve, distance_mm: float, raw_mm: float) -> Curve:
+    r"""Return the profile with its last piece lengthened as far as the nose goes before it meets the wall's upper edge.
+
+    The centre runs parallel to the end until the edge is a distance away; a wall so high that the nose meets its side
+    before, or an end that does not lead to the left, stays as it is.
+    """
+    (z, r), (along_z, along_r) = profile.xy[-1].tolist(), profile.end_directions[-1].tolist()
+    high_mm, away_r = raw_mm - r, -along_z  # of the wall; height of the normal
+    if along_z > -LEAST_RUN or along_r < 0 or not -SAME_MM <= high_mm < distance_mm:
+        return profile
+    to_edge_mm = high_mm * along_r - math.sqrt(max(2 * distance_mm * high_mm * away_r - (high_mm * along_z) ** 2, 0.0))
+    if distance_mm * away_r + to_edge_mm * along_r < high_mm - SAME_MM:
+        return profile
+    more_mm = distance_mm * (1.0 - along_r) - to_edge_mm * along_z
+    if more_mm <= SAME_MM:
+        return profile
+    end = (z - more_mm, r - more_mm * along_r / along_z)
+    return Curve(np.vstack([profile.xy, [end]]), np.append(profile.bulge, 0.0))
 
 
 def thickest_mm(profile: Curve, top_mm: float, face_mm: float) -> float:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The path of the nose's centre along a profile with its stock, as roughing and finishing share it.
+"""The path of the nose's centre along a profile with its stock, as roughing and finishing share it; finishing itself.
 
 After a cut the tool leaves along the bisector of its edges: there is no material in the angle between them, so that
 all rapids lie in what is cut already.
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from CNCStepper.cycles.turning.nose_path import centre_path
+from CNCStepper.cycles.turning.nose_path import centre_path, framed, require_reach, sharp_hollows
 from CNCStepper.cycles.turning.turning_moves import TurningMoves
 from CNCStepper.cycles.turning.turning_operation import TurnFinish, TurnRough
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
@@ -33,9 +33,10 @@ class ProfilePath:
         self.setup, self.moves, self.profile = setup, moves, profile
         self.nose_mm = setup.tool.nose_mm
         self.distance_mm = self.nose_mm + operation.stock_to_leave_mm
-        self.top_mm = stock_top_mm(setup, moves.side) + self.nose_mm
+        self.raw_mm = stock_top_mm(setup, moves.side)
+        self.top_mm = self.raw_mm + self.nose_mm
         self.safe_mm = self.top_mm + clear_of_bore(operation.clearance_mm, setup, moves.side)
-        self.path = centre_path(profile, self.distance_mm, self.safe_mm)
+        self.path = centre_path(profile, self.distance_mm, self.safe_mm, self.raw_mm)
         self.front_mm = max(setup.face_mm, float(profile.xy[0, 0])) + self.nose_mm + operation.clearance_mm
         front, back = (angle * moves.side for angle in setup.tool.edges_deg)
         self.leave_deg = 60.0 if setup.tool.is_round else (front + back) / 2
@@ -86,3 +87,15 @@ class ProfilePath:
 def clear_of_bore(clearance_mm: float, setup: TurningSetup, side: float) -> float:
     """Return how far from the raw surface the tool goes beside it: in a bore no farther than half its radius."""
     return clearance_mm if side > 0 else min(clearance_mm, setup.bore_mm / 8)
+
+
+def finish(operation: TurnFinish, setup: TurningSetup, moves: TurningMoves) -> dict[str, float]:
+    """Append one pass along the exact parallel of the setup's profile, from before it to beside the stock.
+
+    Return its figures. Raises CycleError before the first move.
+    """
+    assert setup.profile is not None
+    profile = framed(setup.profile, moves.side)
+    require_reach(profile, setup, moves.side)
+    ProfilePath(operation, setup, moves, profile).along_path()
+    return {"length_mm": round(profile.length_mm, 6), "corners_with_fillet": float(sharp_hollows(profile))}

@@ -40,7 +40,7 @@ def face(operation: TurnFace, setup: TurningSetup, moves: TurningMoves) -> dict[
 def _require_reach(setup: TurningSetup) -> None:
     tool = setup.tool
     if tool.is_inside or tool.hand == "left":
-        what, limit = "facing takes a right-hand tool for the outside", 'kind = "turning", hand = "right"'
+        what, limit = "facing takes a right-hand tool for the outside", "a right-hand turning tool"
         raise CycleError("face-tool", what, value=tool.words, limit=limit, advice="use another tool")
     front = tool.edges_deg[0]
     if not tool.is_round and front > UPRIGHT_DEG:

@@ -158,7 +158,7 @@ class RoughedProfile(ProfilePath):
         self.moves.approach_front(self.front_mm, self.safe_mm)
         for number in range(count - 1, -1, -1):
             away_mm = self.distance_mm + number * deep_mm / count
-            path = centre_path(self.profile, away_mm, self.safe_mm) if number else self.path
+            path = centre_path(self.profile, away_mm, self.safe_mm, self.raw_mm) if number else self.path
             for stretch in self._in_stock(path):
                 self._follow_stretch(path, stretch)
         self.out()

@@ -8,12 +8,13 @@ from typing import Any
 
 from CNCStepper.cycles.turning.axis_drilling import drill_axis
 from CNCStepper.cycles.turning.grooves import groove, part
+from CNCStepper.cycles.turning.profile_path import finish
 from CNCStepper.cycles.turning.turn_face import face
-from CNCStepper.cycles.turning.turn_finish import finish
 from CNCStepper.cycles.turning.turn_rough import rough
+from CNCStepper.cycles.turning.turn_taper import taper
 from CNCStepper.cycles.turning.turn_thread import thread, thread_warnings
 from CNCStepper.cycles.turning.turning_moves import TurningMoves
-from CNCStepper.cycles.turning.turning_operation import ALONG_PROFILES, TurningOperation, TurnThread
+from CNCStepper.cycles.turning.turning_operation import BY_EDGE, TurningOperation, TurnThread
 from CNCStepper.cycles.turning.turning_setup import TurningAnswer, TurningSetup
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.machine.tools.turning_tool import TurningTool
@@ -26,6 +27,7 @@ CUT: dict[str, Callable[[Any, TurningSetup, TurningMoves], dict[str, float]]] = 
     "turn_groove": groove,
     "turn_part": part,
     "turn_rough": rough,
+    "turn_taper": taper,
     "turn_thread": thread,
 }
 
@@ -63,16 +65,16 @@ def _require_tool(operation: TurningOperation, tool: TurningTool, setup: Turning
     if tool.ap_max_mm and ap_mm > tool.ap_max_mm:
         what, limit = "the depth of cut is above the tool's", f"{tool.ap_max_mm:g} mm"
         raise CycleError("ap-high", what, value=f"{ap_mm:g} mm", limit=limit, advice="lower ap_mm")
-    if operation.cycle in ALONG_PROFILES:
+    if operation.cycle in BY_EDGE:
         _require_turning_tool(operation, tool, setup)
 
 
 def _require_turning_tool(operation: TurningOperation, tool: TurningTool, setup: TurningSetup) -> None:
     if tool.kind not in ("turning", "boring") or tool.hand == "left":
-        what, limit = "profiles are turned towards the chuck with a right-hand insert", 'kind "turning" or "boring"'
+        what, limit = "profiles are turned towards the chuck with a right-hand insert", "a turning or boring tool"
         raise CycleError("profile-tool", what, value=f"{tool.hand} {tool.kind}", limit=limit, advice="use another tool")
     if operation.cycle == "turn_bore" and not tool.is_inside:
-        what, limit = "boring takes a tool for the inside", 'kind = "boring"'
+        what, limit = "boring takes a tool for the inside", "a boring bar"
         raise CycleError("bore-tool", what, value=tool.kind, limit=limit, advice="use a boring bar")
     if tool.is_inside and setup.bore_mm <= 0:
         what = "there is no hole into which the boring bar gets"

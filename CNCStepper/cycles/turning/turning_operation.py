@@ -13,11 +13,13 @@ from CNCStepper.cycles.turning.turning_parameters import (
     TurningParameters,
     TurnPartParameters,
     TurnRoughParameters,
+    TurnTaperParameters,
     TurnThreadParameters,
 )
 from CNCStepper.errors import JobError, Text
 
 ALONG_PROFILES = ("turn_bore", "turn_finish", "turn_rough")  # cycles that follow one
+BY_EDGE = (*ALONG_PROFILES, "turn_taper")  # cycles whose path is that of an insert's nose
 FIXED_SPEED = ("turn_drill", "turn_thread")  # cycles on the axis, or in step with the spindle
 
 
@@ -67,6 +69,18 @@ class TurnDrill(TurnDrillParameters, TurningOperation):
         return self
 
 
+class TurnTaper(TurnTaperParameters, TurningOperation):
+    """A cone without a profile."""
+
+    @model_validator(mode="after")
+    def _corners_are_one_thing(self) -> TurnTaper:
+        for name in ("begin", "end"):
+            if getattr(self, f"{name}_chamfer_mm") and getattr(self, f"{name}_fillet_mm"):
+                what = "a corner of the cone has {name}_chamfer_mm or {name}_fillet_mm, not both"
+                raise ValueError(Text(what, name=name))
+        return self
+
+
 class TurnThread(TurnThreadParameters, TurningOperation):
     """A thread."""
 
@@ -79,6 +93,7 @@ TURNING_OPERATIONS: dict[str, type[TurningOperation]] = {
     "turn_groove": TurnGroove,
     "turn_part": TurnPart,
     "turn_rough": TurnRough,
+    "turn_taper": TurnTaper,
     "turn_thread": TurnThread,
 }
 

@@ -12,7 +12,7 @@ from CNCStepper.quantities import Bounds, ChipLoadOr0, Coordinate, SpeedOr0, Tim
 
 FEEDS = "Feed and speed"
 SurfaceSpeedOr0 = Annotated[float, Bounds("surface_speed", zero=True)]
-DEPTH_OF_CUT = Parameter(CUT, "Depth of cut ap", "The depth of one pass at most, on the radius", 1.0)
+DEPTH_OF_CUT = Parameter(CUT, "Depth per pass", "Depth of cut (ap): of one pass at most, on the radius", 1.0)
 TO_LEAVE = Parameter(FINISH, "Stock to leave", "Left on the profile, normal to it, for another operation")
 TO_DIAMETER = Parameter(CUT, "To diameter", "The diameter at which the cut ends; 0: over the axis")
 PECK = Parameter(CUT, "Peck", "How deep one peck goes; 0: in one go")
@@ -80,6 +80,37 @@ class TurnFinishParameters(TurningParameters):
     cycle: Literal["turn_finish"]
     profile: str
     stock_to_leave_mm: Annotated[WidthOr0, TO_LEAVE] = 0.0
+
+
+class TurnTaperParameters(TurningParameters):
+    """Turn a cone without a profile: from diameter_mm at z_mm over length_mm towards the chuck.
+
+    by: "diameters", where end_diameter_mm is that of its end, or "angle", where angle_deg is that by which the radius
+    grows towards the chuck. Each corner has a chamfer, a fillet or neither. Outside or in a bore, as the tool does.
+    """
+
+    cycle: Literal["turn_taper"]
+    by: Annotated[
+        Literal["diameters", "angle"], Parameter(CUT, "Cone by", "Its two diameters, or an angle", name="ConeBy")
+    ] = "diameters"
+    z_mm: Annotated[Coordinate, Parameter(CUT, "From Z", "Where the cone begins", name="FromZ")] = 0.0
+    diameter_mm: Annotated[WidthOr0, Parameter(CUT, "Diameter", "Where the cone begins; 0: at a tip", 20.0)]
+    end_diameter_mm: Annotated[
+        WidthOr0, Parameter(CUT, "End diameter", "At its end towards the chuck", 30.0, only=("by", ("diameters",)))
+    ] = 0.0
+    angle_deg: Annotated[
+        float, Bounds("angle", -80.0, 80.0),
+        Parameter(CUT, "Angle", "By which the radius grows towards the chuck", 10.0, only=("by", ("angle",))),
+    ] = 0.0  # fmt: skip
+    length_mm: Annotated[Width, Parameter(CUT, "Cone length", "Along Z, from there towards the chuck", 20.0)]
+    ap_mm: Annotated[Width, DEPTH_OF_CUT] = 1.0
+    last_pass_mm: Annotated[
+        WidthOr0, Parameter(FINISH, "Last pass: depth", "Left on the cone for a last pass along it; 0: none", 0.2)
+    ] = 0.0
+    begin_chamfer_mm: Annotated[WidthOr0, Parameter(FINISH, "Begin: chamfer", "At the end face; 0: none")] = 0.0
+    begin_fillet_mm: Annotated[WidthOr0, Parameter(FINISH, "Begin: radius", "At the end face; 0: none")] = 0.0
+    end_chamfer_mm: Annotated[WidthOr0, Parameter(FINISH, "End: chamfer", "At the shoulder; 0: none")] = 0.0
+    end_fillet_mm: Annotated[WidthOr0, Parameter(FINISH, "End: radius", "At the shoulder; 0: none")] = 0.0
 
 
 class TurnGrooveParameters(TurningParameters):

@@ -251,6 +251,10 @@ RS274 = MappingProxyType({code.name: code for code in (*_motion(), *_modal(), *_
 
 # of lathes whose language is no RS274/NGC
 SPEED_LIMIT = Code("G50", "offsets", "spindle_mode", needs="S", axes="may", act="speed_limit")
+TWO_BLOCK_CYCLES = tuple(
+    _moving(name, takes=takes, axes="may", modal=False)
+    for name, takes in (("G70", "PQ"), ("G71", "PQR"), ("G72", "PQR"), ("G73", "PQR"), ("G76", "PQR"))
+)
 LEAD_BY_FEED = Code("G32", "motion", "motion", axes="must", motion=MOTION_NAMES.index("G33"))
 
 WORDS_THAT_ACT = MappingProxyType(

@@ -149,6 +149,8 @@ class Dialect:
     diameter: bool = False  # X words are diameters without a code for it
     feed_mode: str = "per_minute"  # what F means as the machine is switched on
     lead_word: str = "K"  # of G33: K along the path, or F along the axis that moves farther
+    two_block_cycles: bool = False  # of a lathe: G70 to G73 name blocks by N, G76 takes two blocks
+    axis_increments: bool = False  # of a lathe: U and W are X and Z from where the tool is
     turret: bool = False  # T0203 turns the turret to tool 2 and takes its offset 3
 
     def motion_code(self, motion: int) -> Code | None:

@@ -8,18 +8,21 @@
     G50 S2000                the highest speed of the spindle
     G96 S120 M3              m/min at X
     G99                      F is mm a turn
+    G71 U2. R0.5             cycles in two blocks, as gcode/lathe/two_block_cycles.py has them
+    G71 P10 Q20 U0.4 W0.1 F0.2
+    N10 G0 X20. ... N20 G1 X50.
     G32 Z-32. F2.5           a thread pass: F is the lead along the axis that moves farther
     M30
     %
 
-G90, G92 and G94 are cycles in system A and not read; X and Z are absolute, U and W (from where the tool is) are not
-read. A number without a point is in steps of the last digit, unless the control has pocket calculator input
+G90, G92 and G94 are cycles in system A and not read; X and Z are absolute, U and W are from where the tool is. A number
+without a point is in steps of the last digit, unless the control has pocket calculator input
 (`fanuc-lathe:point=free`): it is refused. `fanuc-lathe:x=radius` is a control whose parameter takes X as radius. I and
 K are radii from the begin of an arc whatever X is. A dwell is X and seconds. G41 and G42 take the nose radius of the
 tool's offset.
 """
 
-from CNCStepper.gcode.dialects.codes import LEAD_BY_FEED, RS274, SPEED_LIMIT
+from CNCStepper.gcode.dialects.codes import LEAD_BY_FEED, RS274, SPEED_LIMIT, TWO_BLOCK_CYCLES
 from CNCStepper.gcode.dialects.definition import ArcRule, Dialect, Writing, changed, rs274_codes, same_advice
 
 _FRONT = ("program_name", "pointed", "dwell_by_axis")
@@ -37,21 +40,21 @@ FANUC_LATHE = Dialect(
             changed("G96", takes=""),
             SPEED_LIMIT,
             LEAD_BY_FEED,
+            *TWO_BLOCK_CYCLES,
         ),
         "G98": RS274["G94"],
         "G99": RS274["G95"],
     },
-    letters="FIKNPQRSTXZ",
+    letters="FIKNPQRSTUWXZ",
     arc_rules={"mm": ArcRule(0.005, 0.5, 0.001), "inch": ArcRule(0.0002, 0.02, 0.001)},
     refused={
-        **same_advice("UW", "write X and Z: coordinates from where the tool is are not read"),
         **same_advice("Y", "a lathe moves X and Z"),
         **same_advice(("G17", "G19"), "a lathe's arcs are in the plane ZX (G18)"),
         **same_advice(("G90", "G92", "G94"), "in system A this is a cycle: write its moves"),
         **same_advice(("G91",), "system A has no G91: X and Z are absolute"),
         **same_advice(("G95", "G93"), "system A has G98 (feed a minute) and G99 (a turn)"),
         **same_advice(("G33",), "write G32 with the lead in F"),
-        **same_advice(("G70", "G71", "G72", "G73", "G74", "G75", "G76"), "write the cycle's moves"),
+        **same_advice(("G74", "G75"), "write the cycle's moves"),
         **same_advice(("G7", "G8"), "whether X is a diameter is a setting of the control"),
         **same_advice(("G28", "G30", "G53", "G10"), "its effect depends on the machine: leave it out"),
         **same_advice(("G43", "G49"), "the offset comes with T: T0101"),
@@ -86,5 +89,7 @@ FANUC_LATHE = Dialect(
     diameter=True,
     feed_mode="per_turn",
     lead_word="F",
+    two_block_cycles=True,
+    axis_increments=True,
     turret=True,
 )

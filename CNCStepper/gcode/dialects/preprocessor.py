@@ -24,6 +24,7 @@ from CNCStepper.word_pattern import DECIMAL
 TEN_THOUSANDTH = Decimal("0.0001")
 _DOTLESS = re.compile(r"([A-FH-LO-Z][ \t]*)([+-]?[0-9]+)(?![0-9.])", re.IGNORECASE)
 _POINTLESS = re.compile(r"[XZIKRUW][ \t]*[+-]?0*[1-9][0-9]*(?![0-9.])", re.IGNORECASE)
+_REPEATED = re.compile(r"G[ \t]*73(?![0-9.])", re.IGNORECASE)
 _FEED = re.compile(rf"(F[ \t]*)({DECIMAL})", re.IGNORECASE)
 _COMMAND = re.compile(r"[GMT][ \t]*[0-9]", re.IGNORECASE)
 _CHECKSUM = re.compile(r"\*([0-9]+)[ \t]*$")
@@ -217,8 +218,14 @@ def dwell_by_axis(piece: Piece) -> Iterator[Piece]:
 
 
 def pointed(piece: Piece) -> Iterator[Piece]:
-    """Refuse lengths and seconds without a point, which are in steps of the last digit on many controls; 0 is 0."""
-    match = _POINTLESS.search(piece.text, 0, _end_of_code(piece.text))
+    """Refuse lengths and seconds without a point, which are in steps of the last digit on many controls; 0 is 0.
+
+    R of G73 is how many passes it makes.
+    """
+    end = _end_of_code(piece.text)
+    counts = "R" if _REPEATED.search(piece.text, 0, end) else ""
+    found = _POINTLESS.finditer(piece.text, 0, end)
+    match = next((one for one in found if one[0][0].upper() not in counts), None)
     if match is not None:
         what = "a number without a point is in the last digit's steps on this control, or in whole units by a setting"
         raise piece.refused("no-point", what, match.start(), match[0], "write the point")

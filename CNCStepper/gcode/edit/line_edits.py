@@ -14,7 +14,7 @@ import numpy as np
 
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import AXES, UNIT_CODES
-from CNCStepper.gcode.edit.line_states import Meaning
+from CNCStepper.gcode.edit.line_states import WITHOUT_CYCLES, Meaning
 from CNCStepper.gcode.edit.line_tokens import Edit, Token
 from CNCStepper.gcode.edit.path_transforms import TransformState
 from CNCStepper.gcode.edit.word_values import (
@@ -31,6 +31,7 @@ from CNCStepper.tolerances import SAME_MATRIX_SCALE
 from CNCStepper.toolpath import PLANE_AXES, PLANE_NAMES
 from CNCStepper.units import UNIT_MM
 
+THREAD_CYCLE = "G76"
 SYNCHRONISED = ("G33", "G33.1")  # whose feed follows the spindle
 
 
@@ -183,11 +184,12 @@ class ArcWords(LineWords):
                 continue
             if token.number is None:
                 return None
-            end[axis] = token.number * self.from_mm + (0.0 if self.meaning.absolute else begin[axis])
+            given_mm = token.number * self.from_mm * self._share(token.letter)
+            end[axis] = given_mm + (0.0 if self.meaning.absolute else begin[axis])
         if np.isnan(begin[[first, second]]).any() or self.meaning.compensated:
             return None
-        step = self.step_mm
-        rounded = np.round(self.where.of(np.nan_to_num(np.array([begin, end]))) / step) * step
+        steps = np.array([self.step_mm * self._share(letter) for letter in AXES])
+        rounded = np.round(self.where.of(np.nan_to_num(np.array([begin, end]))) / steps) * steps
         return complex(rounded[0][first], rounded[0][second]), complex(rounded[1][first], rounded[1][second])
 
     def _centre(self, letters: list[str]) -> None:
@@ -260,9 +262,7 @@ class Line(ArcWords):
         found = kinds(self.tokens, self.meaning.motion)
         lengths = [letter for letter in (found or {}) if letter in self.words]
         if found is None and any(token.letter in "XYZIJKRQPDEUVW@^" for token in self.tokens):
-            raise self.refused(
-                "edit-code", Text("the words of {codes} are not edited", codes=self._codes()), self.tokens[0]
-            )
+            raise self._not_edited()
         self._check_axes()
         self._check_lead()
         by_kind: dict[str, list[str]] = {}
@@ -275,6 +275,15 @@ class Line(ArcWords):
         self._unit_words()
         self._leave(by_kind)
         return self.made
+
+    def _not_edited(self) -> ProgramError:
+        """Return the refusal of a line whose words are no places."""
+        if any(token.name == THREAD_CYCLE for token in self.tokens):
+            what = "the words of G76 are the depths and angles of a thread, which no path edit changes"
+            return self.refused("edit-code", what, self.tokens[0], WITHOUT_CYCLES)
+        return self.refused(
+            "edit-code", Text("the words of {codes} are not edited", codes=self._codes()), self.tokens[0]
+        )
 
     def _check_lead(self) -> None:
         """Refuse to scale a cut that follows the spindle: its lead would stay."""

@@ -12,7 +12,7 @@ from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.edit.edit_result import Lines
 from CNCStepper.gcode.edit.line_tokens import Token, tokens_of
-from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain, leads
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import is_plain, leads, names_blocks
 from CNCStepper.gcode.interpreter.flow.run_with_subroutines import Flow, Limits
 from CNCStepper.gcode.interpreter.flow.subprogram_files import library_of
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
@@ -20,6 +20,7 @@ from CNCStepper.gcode.syntax.words import is_percent_mark, program_lines, split_
 from CNCStepper.state import UNKNOWN, Start
 from CNCStepper.toolpath import Toolpath
 
+WITHOUT_CYCLES = "write its passes as moves: make the program again with canned = false"
 EXPAND = "expand it first: cncstepper convert"
 _READS_PLACE = re.compile(r"#\s*(?:5[0-9]{3}(?![0-9])|<\s*_)")
 
@@ -46,6 +47,9 @@ class Meaning(NamedTuple):
     def modes(self) -> tuple:
         """All but the place."""
         return self[:-1]
+
+
+IN_OTHER_BLOCKS = "the profile of this cycle is in other blocks, which are not rewritten with it"
 
 
 class Source:
@@ -149,6 +153,8 @@ class Source:
         )
 
     def _check(self, number: int, line: str) -> None:
+        if self.dialect.two_block_cycles and names_blocks(line):
+            raise self.refusal(number, "edit-flow", IN_OTHER_BLOCKS, value=line.strip()[:40], advice=WITHOUT_CYCLES)
         if "#" in line and _READS_PLACE.search(split_line(line).code):
             what = "the line reads the machine's position, which the edit would change"
             raise self.refusal(number, "edit-parameter", what, value="#", advice=EXPAND)
@@ -161,6 +167,12 @@ def has_flow(text: str, dialect: Dialect) -> bool:
 
 def require_straight(text: str, dialect: Dialect, file: str) -> None:
     """Raise ProgramError, naming the first, for a program with lines that lead elsewhere."""
+    for number, line in enumerate(program_lines(text) if dialect.two_block_cycles else (), start=1):
+        if names_blocks(line):
+            place = Place(file, number, 1)
+            raise ProgramError(
+                "edit-flow", IN_OTHER_BLOCKS, value=line.strip()[:40], advice=WITHOUT_CYCLES, place=place
+            )
     for number, line in enumerate(program_lines(text) if has_flow(text, dialect) else (), start=1):
         if leads(line):
             what = "a program with subroutines, loops or branches is not rewritten"

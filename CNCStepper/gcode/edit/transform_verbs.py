@@ -24,6 +24,7 @@ from CNCStepper.gcode.edit.line_tokens import changed
 from CNCStepper.gcode.edit.path_transforms import Map, TransformState
 from CNCStepper.gcode.edit.verification import verified
 from CNCStepper.gcode.interpreter.state.interpreter_state import model_at
+from CNCStepper.gcode.lathe.diameter_mode import is_lathe_program
 from CNCStepper.gcode.syntax.words import split_line
 from CNCStepper.state import Start
 
@@ -108,7 +109,14 @@ def mirror(
     start: Start | None = None,
     file: str = "",
 ) -> Edited:
-    """Return the mirror image: X (or Y) changes its sign, seen from where it is `at_mm`; arcs turn the other way."""
+    """Return the mirror image: X (or Y) changes its sign, seen from where it is `at_mm`; arcs turn the other way.
+
+    Raises ProgramError for the X of a lathe's program.
+    """
+    if axis.upper() == "X" and is_lathe_program(text, dialect_named(dialect).name):
+        what = "the mirror image of a lathe's X lies over the axis"
+        advice = "a turret in front of the axis takes the same program; to move the path use offset"
+        raise ProgramError("edit-mirror", what, value="X", advice=advice, place=Place(file, 1, 1))
     return transformed(Source(text, dialect, start, file), path_transforms.mirrored(axis, at_mm))
 
 

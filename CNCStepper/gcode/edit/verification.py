@@ -147,10 +147,11 @@ def _wrong_rows(
 def _same_arcs(old: Toolpath, new: Toolpath, where: Map, step_mm: float) -> np.ndarray:
     """Return the rows whose centre lies where the map puts it, seen from their begin, with the angle as it was.
 
-    By R the centre of half a circle goes with the root of what rounding does to its ends.
+    Only the place along its normal, Y of a lathe, may be unknown. By R the centre of half a circle goes with the root
+    of what rounding does to its ends.
     """
     one, other = (_ways(path) for path in (old, new))
-    before, after = (path.table().centre - path.begins()[:, :3] for path in (old, new))
+    before, after = (np.nan_to_num(path.table().centre - path.begins()[:, :3]) for path in (old, new))
     away = np.abs(before @ where.linear.T - after)
     away[np.arange(len(away)), np.array(PLANE_AXES)[old.table().plane, 2]] = 0.0
     radius = np.maximum(np.minimum(one.radius_mm, other.radius_mm), step_mm)

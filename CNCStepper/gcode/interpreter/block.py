@@ -36,6 +36,16 @@ class ProfileReader(Protocol):
         """Run the subroutine O<number> from `model`; `take` gets the words of each block, and their values."""
 
 
+class NumberedProfile(Protocol):
+    """Finds blocks by their N words for the cycles of a lathe (`numbered_blocks.py`)."""
+
+    def read(self, first: int, last: int, model: Model, take: Callable[[Model, list[Word], list[float]], None]) -> None:
+        """Hand the words of the blocks from N<first> to N<last>, and their values, to `take`."""
+
+    def run_after(self, first: int, last: int, back: Point) -> None:
+        """Run these blocks after the present one, then rapid to a machine position."""
+
+
 class Block(CanonicalBlock, ABC):
     """One block that is checked and executed on `model`, the scratch copy."""
 
@@ -45,6 +55,7 @@ class Block(CanonicalBlock, ABC):
         self.plan: Plan
         self.values: list[float]
         self.read_profile: ProfileReader | None = None
+        self.numbered: NumberedProfile | None = None
         self.asks_position = False  # afterwards the machine is asked where it is
         self.turning = "off"  # how the spindle turned when a canned cycle began
         self.unheard = False  # no calls for single moves: one call before them covers all

@@ -27,6 +27,7 @@ from CNCStepper.gcode.dialects.codes import (
     PROFILE_CYCLES,
     RS274,
     SPLINES,
+    TWO_BLOCK_CYCLES,
     Code,
 )
 from CNCStepper.gcode.interpreter.block import Block
@@ -43,6 +44,7 @@ from CNCStepper.gcode.interpreter.functions.outputs import OUTPUT_ACTS
 from CNCStepper.gcode.interpreter.functions.plasma import PLASMA_ACTS
 from CNCStepper.gcode.interpreter.functions.spindle import SPINDLE_ACTS, check_spindle
 from CNCStepper.gcode.interpreter.functions.tools import TOOL_ACTS
+from CNCStepper.gcode.interpreter.motion.end_points import without_increments
 from CNCStepper.gcode.interpreter.motion.probing import probe
 from CNCStepper.gcode.interpreter.motion.splines import SPLINE_ACTS, bezier, control_point
 from CNCStepper.gcode.interpreter.motion.straight_and_arc_moves import arc, straight
@@ -50,6 +52,7 @@ from CNCStepper.gcode.interpreter.state import stand_alone_position
 from CNCStepper.gcode.interpreter.state.modal_state_stack import MODE_ACTS
 from CNCStepper.gcode.lathe.profile_cycles import run_profile
 from CNCStepper.gcode.lathe.threading import run_thread, tap, thread
+from CNCStepper.gcode.lathe.two_block_cycles import run_two_blocks
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID
 from CNCStepper.units import MM_PER_INCH
@@ -69,6 +72,8 @@ MOTIONS: dict[int, Motion] = {
     MOTION_NAMES.index("G33.1"): tap,
     MOTION_NAMES.index("G76"): run_thread,
 }
+
+TWO_BLOCKS = frozenset(code.motion for code in TWO_BLOCK_CYCLES)
 
 
 def feed(block: Block, code: Code) -> None:
@@ -223,6 +228,8 @@ class Execution(Block):
     def execute(self, plan: Plan, values: list[float]) -> None:
         """Execute words, which become the block's own."""
         self.plan, self.values = plan, list(values)
+        if self.dialect.axis_increments:
+            self.plan, self.values = without_increments(self.model, plan, self.values)
         if self.model.diameter:
             self.scale_x(0.5)
         if plan.polar and self.model.plane_code != "G17":
@@ -256,7 +263,8 @@ class Execution(Block):
         if self.model.far_plane and motion != NO_MOTION:
             self._check_far_plane(self.model.far_plane, motion)
         if motion != NO_MOTION:
-            MOTIONS[motion](self, motion, before)
+            takes_two = self.dialect.two_block_cycles and motion in TWO_BLOCKS
+            (run_two_blocks if takes_two else MOTIONS[motion])(self, motion, before)
 
     def _check_far_plane(self, plane: str, motion: int) -> None:
         """Refuse what lies in a plane of U, V and W."""

@@ -22,12 +22,12 @@ from CNCStepper.gcode.dialects.codes import MOTION_NAMES, NO_MOTION
 from CNCStepper.gcode.dialects.definition import with_axes
 from CNCStepper.gcode.dialects.preprocessor import Piece, pieces, reads_moves_directly
 from CNCStepper.gcode.interpreter.active_comments import expanded_comment
-from CNCStepper.gcode.interpreter.block import ProfileReader
+from CNCStepper.gcode.interpreter.block import NumberedProfile, ProfileReader
 from CNCStepper.gcode.interpreter.canonical_output import Canon
 from CNCStepper.gcode.interpreter.execute import Execution
 from CNCStepper.gcode.interpreter.expression_words import ExpressionWords, is_computed, read_items
 from CNCStepper.gcode.interpreter.fast_path import fast_line
-from CNCStepper.gcode.interpreter.flow.flow_line_parser import has_profile, leads
+from CNCStepper.gcode.interpreter.flow.flow_line_parser import has_profile, leads, names_blocks
 from CNCStepper.gcode.interpreter.functions import plasma
 from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point, model_at
 from CNCStepper.gcode.interpreter.state.modal_state_stack import leave_level
@@ -136,6 +136,7 @@ class Interpreter:
         self._too_long = self.dialect.line_limit if self.dialect.reads_files else NO_LIMIT
         self.tape = PercentMarkers()
         self.read_profile: ProfileReader | None = None  # the flow control that calls subroutines, if there is one
+        self.numbered: NumberedProfile | None = None  # who finds blocks by their N words, if there is one
         self._place: Place | None = None  # of a line whose place differs from `line_number`
 
     @property
@@ -154,7 +155,8 @@ class Interpreter:
 
     def leads(self, text: str) -> bool:
         """Whether a line leads elsewhere in this dialect: an O-word, M98 or M99, or a cycle with a profile."""
-        return self.dialect.o_words and (leads(text) or has_profile(text))
+        branches = self.dialect.o_words and (leads(text) or has_profile(text))
+        return branches or (self.dialect.two_block_cycles and names_blocks(text))
 
     def ran(self, line_number: int, motion: int, position: Point, feed_mm_min: float, told: bool) -> None:
         """Note the end of a run of lines whose rows and states are in the table already; `told`: it had an F."""
@@ -264,6 +266,13 @@ class Interpreter:
         leave_level(execution, level)
         self._keep(execution)
 
+    def rapid_back(self, place: Point) -> None:
+        """Rapid to a machine position, as a cycle's end does."""
+        execution = Execution(self.model.copy(), self.dialect, self.table, self.line_number, self.canon)
+        execution.execute(self.grammar.plan([], self.model.motion), [])
+        execution.rapid(place)
+        self._keep(execution)
+
     def toolpath(self) -> Toolpath:
         """End the program and return its table; raises ProgramError when the dialect wants an end and has none."""
         if self.dialect.needs_end and not (self.model.ended or (self.tape.closed and self.tape.opened_by_mark)):
@@ -329,7 +338,7 @@ class Interpreter:
     def _block(self, plan: Plan, items: ExpressionWords, comments: tuple[Comment, ...]) -> None:
         """Check and execute one block on a copy of the model, then let the copy be the model."""
         execution = Execution(self.model.copy(), self.dialect, self.table, self.line_number, self.canon)
-        execution.read_profile = self.read_profile
+        execution.read_profile, execution.numbered = self.read_profile, self.numbered
         try:
             self._assign(items)
             if self.model.plasma:

@@ -32,13 +32,13 @@ def run_profile(block: Block, motion: int, before: int) -> None:
     incremental = not model.absolute
     centres = model.state.arc_centres
     model.change(distance="absolute", arc_centres="absolute")
-    started, here = model.position, _place(block)
+    started, here = model.position, place_of(block)
     begin = complex(words.get("Z", here.real), words.get("X", here.imag))
     if incremental:
         begin = here + complex(words.get("Z", 0.0), words.get("X", 0.0))
-    tool = _Tool(block)
+    tool = CycleTool(block)
     tool.rapid(complex(words.get("Z", here.real), words.get("X", here.imag)))
-    reader = _Reader(begin, model.motion, incremental, centres == "incremental")
+    reader = ProfileBlocks(begin, model.motion, incremental, centres == "incremental")
     if block.read_profile is None:
         what = Text("{name} needs the whole program: the profile is a subroutine", name=name)
         raise ProgramError("no-subroutine", what, value=name, advice="read the program as a whole")
@@ -64,12 +64,13 @@ def _check(block: Block, name: str) -> None:
         raise ProgramError("bad-value", Text("I of {name} must be above 0", name=name), value="I", advice="correct I")
 
 
-def _place(block: Block) -> complex:
+def place_of(block: Block) -> complex:
+    """Return where the tool is: Z + iX in units of the text, X a radius."""
     x, _, z = block.model.programmed_work()
     return complex(z, x) / block.model.scale
 
 
-def _cut(name: str, words: dict[str, float], begin: complex, reader: _Reader, tool: _Tool) -> None:
+def _cut(name: str, words: dict[str, float], begin: complex, reader: ProfileBlocks, tool: CycleTool) -> None:
     away, escape = words.get("D", 0.0), words.get("R", 0.5)
     cycle = Turning(reader.segments)
     if name == "G70":
@@ -80,7 +81,7 @@ def _cut(name: str, words: dict[str, float], begin: complex, reader: _Reader, to
     cycle.rough(tool, mode, begin, away, words.get("I", 1.0), escape, name.startswith("G72"))
 
 
-class _Reader:
+class ProfileBlocks:
     """Takes the blocks of the subroutine, one after the other."""
 
     def __init__(self, begin: complex, motion: int, incremental: bool, relative_centres: bool):
@@ -154,7 +155,7 @@ class _Reader:
         return (self.end + end) / 2.0 + (aside if self.motion == ARC_CCW else -aside)
 
 
-class _Tool:
+class CycleTool:
     """Makes the moves of the cycle as blocks with X and Z would be made."""
 
     def __init__(self, block: Block):
@@ -170,7 +171,7 @@ class _Tool:
 
     def arc(self, ccw: bool, centre: complex, end: complex) -> None:
         """G2 or G3; an arc that leads nowhere is none."""
-        way = end - _place(self.block)
+        way = end - place_of(self.block)
         if max(abs(way.real), abs(way.imag)) > SAME_TEXT_PLACE:
             motion = ARC_CCW if ccw else ARC_CW
             self._move(motion, X=end.imag, Z=end.real, I=centre.imag, K=centre.real)

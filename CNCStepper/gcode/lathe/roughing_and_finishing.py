@@ -64,11 +64,15 @@ class TurnedTool:
 
 
 class Turning:
-    """A profile and how it lies: bit 1 of `turned` mirrors Z, 2 mirrors X, 4 turns a quarter."""
+    """A profile and how it lies: bit 1 of `turned` mirrors Z, 2 mirrors X, 4 turns a quarter.
+
+    above: how far above the first pass the cycle begins; LinuxCNC cuts the first one where it begins.
+    """
 
     def __init__(self, segments: list[Segment], turned: int = 0):
         self.segments = segments
         self.turned = turned
+        self.above = 0.0
         self.depth = 0.5
         self.escape = complex(0.3, 0.3)
         self._pockets: list[complex] = []
@@ -150,7 +154,7 @@ class Turning:
         out.rapid(first.start)
         if last.end.imag < first.start.imag:
             self.segments.append(Segment(last.end, complex(last.end.real, first.start.imag)))
-        self._pockets = [first.start]
+        self._pockets = [first.start - 1j * self.above]
         self._pocket(mode, first.start, 0, out)
 
     def away(self, distance: float) -> None:

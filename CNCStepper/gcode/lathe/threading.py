@@ -29,20 +29,20 @@ OTHER_SENSE = {"cw": "ccw", "ccw": "cw"}
 
 def thread(block: Block, motion: int, before: int) -> None:
     """G33: a line whose pitch K, or F of G32, the spindle drives."""
-    _begin(block, motion)
+    begin_thread(block, motion)
     end, further = _end(block)
     lead = _lead(block, end)
-    _synchronised(block, lead)
-    block.move(LINE, end, None, _feed(block, lead, end), further)
+    synchronise(block, lead)
+    block.move(LINE, end, None, feed_of_pitch(block, lead, end), further)
     block.call("STOP_SPEED_FEED_SYNCH()")
 
 
 def tap(block: Block, motion: int, before: int) -> None:
     """G33.1: down with the spindle, and back with it turning the other way; the tool ends where it was."""
-    sense = _begin(block, motion)
+    sense = begin_thread(block, motion)
     begin, (end, further) = block.model.position, _end(block)
-    _synchronised(block, block.value("K"))
-    feed = _feed(block, block.value("K"), end)
+    synchronise(block, block.value("K"))
+    feed = feed_of_pitch(block, block.value("K"), end)
     block.unheard = True
     block.move(LINE, end, None, feed, further)
     block.model.change(spindle=OTHER_SENSE[sense])
@@ -54,11 +54,12 @@ def tap(block: Block, motion: int, before: int) -> None:
     block.call("STOP_SPEED_FEED_SYNCH()")
 
 
-def _begin(block: Block, motion: int) -> str:
+def begin_thread(block: Block, motion: int) -> str:
     """Check what all these moves need; return in which sense the spindle turns."""
     name = MOTION_NAMES[motion]
     block.model.arc_allowed = True
-    for letter in "PIJK" if name == "G76" else block.dialect.lead_word:
+    two_blocks = block.dialect.two_block_cycles and name == "G76"
+    for letter in "PIJK" if name == "G76" and not two_blocks else block.dialect.lead_word:
         if letter != "F" or not block.model.feed_number:  # F is modal
             block.must_have(letter, name)
     check_spindle(block)
@@ -84,12 +85,13 @@ def _end(block: Block) -> tuple[Point, tuple[float, ...]]:
     return end_point(model, block.plan, block.values), further_end(model, block.plan, block.values)
 
 
-def _synchronised(block: Block, pitch: float) -> None:
+def synchronise(block: Block, pitch: float) -> None:
+    """Let the next move follow the spindle by a pitch in units of the text."""
     block.event("synchronised", pitch * block.model.scale, MOTION_NAMES[block.plan.motion])
     block.call(f"START_SPEED_FEED_SYNC({pitch:f},0)")
 
 
-def _feed(block: Block, pitch: float, end: Point) -> float:
+def feed_of_pitch(block: Block, pitch: float, end: Point) -> float:
     """Return the feed in mm/min that a pitch (units of the text a turn) makes; raises ProgramError without a speed."""
     feed = abs(pitch) * block.model.scale * rpm_at(block.model, end)
     if feed <= 0 and not block.model.bare:
@@ -120,7 +122,7 @@ class Thread(NamedTuple):
 
 def run_thread(block: Block, motion: int, before: int) -> None:
     """G76: passes of growing depth, and spring passes at the full one; raises ProgramError."""
-    _begin(block, motion)
+    begin_thread(block, motion)
     end, further = _end(block)
     if further != block.model.further:
         raise ProgramError("axis-unused", "G76 moves X and Z only", value="G76", advice="move other axes before")
@@ -177,17 +179,17 @@ def _pass(block: Block, words: Thread, depth: float) -> None:
     _to(block, words, RAPID, aside, top)
     if words.entry:
         block.call("DISABLE_FEED_OVERRIDE()")
-        _synchronised(block, words.taper_pitch)
+        synchronise(block, words.taper_pitch)
         _to(block, words, LINE, crest, top)
         _to(block, words, LINE, bottom, top - words.taper, words.taper_pitch)
-        _synchronised(block, words.pitch)
+        synchronise(block, words.pitch)
     else:
         _to(block, words, RAPID, bottom, top)
         block.call("DISABLE_FEED_OVERRIDE()")
-        _synchronised(block, words.pitch)
+        synchronise(block, words.pitch)
     if words.leaving:
         _to(block, words, LINE, bottom, target + words.taper)
-        _synchronised(block, words.taper_pitch)
+        synchronise(block, words.taper_pitch)
         _to(block, words, LINE, crest, target, words.taper_pitch)
     else:
         _to(block, words, LINE, bottom, target)
@@ -200,4 +202,4 @@ def _to(block: Block, words: Thread, motion: int, away: float, z: float, pitch: 
     """Move to `away` from the drive line, towards the thread, and to a Z; pitch: where it is not that of the thread."""
     x, y, _ = words.begin
     end = block.model.machine((x + words.way * away, y, z))
-    block.move(motion, end, None, 0.0 if motion == RAPID else _feed(block, pitch or words.pitch, end))
+    block.move(motion, end, None, 0.0 if motion == RAPID else feed_of_pitch(block, pitch or words.pitch, end))

@@ -273,14 +273,14 @@ def _code(raw: str, language: Dialect) -> str:
     return " ".join(split_line(raw, language.strict_comments).code.split())
 
 
-def _sent(blocks: list[list[Word]]) -> Iterator[Word]:
-    return (word for block in blocks for word in block if word.letter != "N")
-
-
 def _shortened(blocks: list[list[Word]], language: Dialect) -> str:
-    """Return the words that are sent, each with the shortest form of its number."""
-    pointed = "pointed" in language.front
-    return "".join(_short(word, pointed) for word in _sent(blocks))
+    """Return the words that are sent, each with the shortest form of its number.
+
+    N words stay where cycles name the blocks of their profile by them.
+    """
+    pointed, left_out = "pointed" in language.front, "" if language.two_block_cycles else "N"
+    sent = (word for block in blocks for word in block if word.letter != left_out)
+    return "".join(_short(word, pointed) for word in sent)
 
 
 def _short(word: Word, pointed: bool) -> str:

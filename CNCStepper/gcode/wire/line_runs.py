@@ -31,7 +31,7 @@ class WireRun(NamedTuple):
 
 def wire_runs(text: str, dialect: Dialect) -> Iterator[WireRun | tuple[int, str]]:
     """Yield the text as runs, where a kernel can write them, and the number and text of every other line."""
-    if reads_moves_directly(dialect) and pays(len(text)):
+    if _are_plain(dialect) and pays(len(text)):
         yield from compiled_runs(as_bytes(text), dialect)
     else:
         yield from enumerate(program_lines(text), 1)
@@ -39,10 +39,15 @@ def wire_runs(text: str, dialect: Dialect) -> Iterator[WireRun | tuple[int, str]
 
 def runs_of_piece(piece: str, first: int, dialect: Dialect) -> Iterator[WireRun | tuple[int, str]]:
     """Yield the same of whole lines of a text, of which the first is line `first`."""
-    if reads_moves_directly(dialect) and pays(len(piece)):
+    if _are_plain(dialect) and pays(len(piece)):
         yield from compiled_runs(piece.encode("utf-8", "surrogatepass"), dialect, first)
     else:
         yield from enumerate(program_lines(piece), first)
+
+
+def _are_plain(dialect: Dialect) -> bool:
+    """Whether the kernel may write a language's lines: it reads them as they are, and leaves out N."""
+    return reads_moves_directly(dialect) and not dialect.two_block_cycles
 
 
 def compiled_runs(data: bytes, dialect: Dialect, first: int = 1) -> Iterator[WireRun | tuple[int, str]]:

@@ -16,7 +16,7 @@ import textwrap
 import unicodedata
 from dataclasses import dataclass
 from functools import cached_property
-from math import hypot
+from math import ceil, floor, hypot
 from typing import TypeVar
 
 import numpy as np
@@ -25,7 +25,7 @@ from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect, Writing
 from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES, PLANE_CODES
 from CNCStepper.gcode.writer.write_options import Notes
-from CNCStepper.tolerances import SAME_SHARE
+from CNCStepper.tolerances import SAME_COUNT, SAME_SHARE
 from CNCStepper.toolpath import LINE, PLANE_AXES, RAPID, XY, ZX
 from CNCStepper.units import MM_PER_INCH
 
@@ -131,6 +131,17 @@ def _trimmed(number: str) -> str:
     return number.rstrip("0").rstrip(".") if "." in number else number
 
 
+def near_step(count: int | None, step_counts: float) -> int | None:
+    """Return a place at most a quarter of a step from the nearest whole step; both in counts, steps of 0 move nothing.
+
+    Then the increment between two such places, rounded to whole steps, is the one between their nearest steps.
+    """
+    if count is None or not step_counts:
+        return count
+    whole, quarter = round(count / step_counts) * step_counts, step_counts / 4
+    return min(max(count, ceil(whole - quarter + SAME_COUNT)), floor(whole + quarter - SAME_COUNT))
+
+
 CENTRES = "IJK"
 MOST_FEED_ERROR = 0.005  # relative
 CUT_FEED = "F#<_hal[plasmac.cut-feed-rate]>"  # the feed of QtPlasmaC's material
@@ -142,6 +153,7 @@ Counts = list[int | None]
 class BlockEmitter:
     """The lines written so far and the modal words in force; `at` is None on axes never written.
 
+    step_counts: a step of X, Y and Z in counts where increments are rounded to steps one by one; else 0.
     notes: what was written differently. number: the last N word. lead_mm: a turn, of the next move if it follows the
     spindle, else 0.
     """
@@ -168,6 +180,7 @@ class BlockEmitter:
         self.distance = "absolute"  # of the moves to come
         self.x_factor = 2 if dialect.diameter else 1  # of X words: 2 where they are diameters
         self.incremental = False  # coordinates are given from where the machine is
+        self.step_counts = (0.0, 0.0, 0.0)
         self.turn_rpm = 0.0  # F is in mm a turn at this speed; 0: a minute
         self.lead_mm = 0.0
 
@@ -262,6 +275,7 @@ class BlockEmitter:
 
     def move(self, kind: int, end: Counts, feed_mm_min: float = 0.0, nowhere: bool = False) -> None:
         """Write a straight move; where it leads nowhere only if `nowhere`."""
+        end = [near_step(count, step) for count, step in zip(end, self.step_counts, strict=True)]
         changes = self._distance_word(kind) if nowhere or self._axes(end) else ""
         axes = self._axes(end)
         if not axes and nowhere:

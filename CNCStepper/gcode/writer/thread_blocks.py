@@ -30,7 +30,8 @@ class ThreadWriter:
         self.page, self.rows = page, rows
         self._leads = {event.index: event.value for event in toolpath.events if event.kind == "synchronised"}
         wanted = [span for span in toolpath.spans if span.kind == "turning_cycle" and span.name == THREAD]
-        self._spans = {span.first: span for span in wanted if whole and THREAD in page.dialect.codes}
+        has_cycle = THREAD in page.dialect.codes and not page.dialect.two_block_cycles  # whose words are others
+        self._spans = {span.first: span for span in wanted if whole and has_cycle}
 
     def lead_mm(self, row: int) -> float:
         """Return the travel a turn of a row that follows the spindle, else 0."""

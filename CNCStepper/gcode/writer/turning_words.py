@@ -51,6 +51,9 @@ def begin_turning(page: BlockEmitter, options: WriteOptions) -> None:
         raise ProgramError("incremental", what, value="incremental", advice='write distance = "absolute"')
     page.x_factor = 2 if options.x_is == "diameter" else 1
     page.incremental = options.incremental
+    if options.incremental:
+        x, y, z = (page.grid.exact(1.0 / steps) if steps else 0.0 for steps in options.steps_per_mm)
+        page.step_counts = (x, y, z)
 
 
 def _require_own(dialect: Dialect, x_is: str) -> None:

@@ -29,7 +29,8 @@ class WriteOptions:
     "tool" (it is refused otherwise). chord_mm: how far lines may be from an arc that the dialect lacks. rapid_mm_min:
     the F of rapids where they heed it (0: the last one). An empty work_offset is the table's own. cut_data: the
     material of a controller that knows such. x_is: of a lathe's program, whose plane is ZX: how it gives X; "" is no
-    lathe. incremental: all moves are given from where the tool is. turning_cycles: threads are written as G76 and
+    lathe. incremental: all moves are given from where the tool is; steps_per_mm: of X, Y and Z, where the
+    machine rounds each increment to whole steps for itself (0: unknown). turning_cycles: threads are written as G76 and
     profiles as G70 to G72 where the dialect has them.
     """
 
@@ -52,6 +53,7 @@ class WriteOptions:
     cut_data: CutData | None = None
     x_is: Literal["", "radius", "diameter"] = ""
     incremental: bool = False
+    steps_per_mm: tuple[float, float, float] = (0.0, 0.0, 0.0)
     turning_cycles: bool = False
 
 

@@ -13,9 +13,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from CNCStepper.cycles.turning.turn_taper import end_radius_mm
 from CNCStepper.cycles.turning.turn_thread import thread_cut
-from CNCStepper.cycles.turning.turning_operation import ALONG_PROFILES, TurnDrill, TurningOperation
+from CNCStepper.cycles.turning.turning_operation import BY_EDGE, TurnDrill, TurningOperation
 from CNCStepper.errors import CycleError, Text
+from CNCStepper.job.turning.taper_profile import profile_of
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.tolerances import SAME_MM
 
@@ -26,7 +28,7 @@ def require_in_bar(number: int, job: TurningJob, bore_mm: float) -> None:
     """Raise CycleError where an operation (from 1) of a job leaves the bar; bore_mm: of what is hollow before it."""
     operation = job.operation[number - 1]
     CHECKS[operation.cycle](operation, job)
-    if operation.cycle in ALONG_PROFILES and job.tools[operation.tool].is_inside and bore_mm > 0:
+    if operation.cycle in BY_EDGE and job.tools[operation.tool].is_inside and bore_mm > 0:
         _require_hole(operation, job, bore_mm, _hole_depth_mm(job.operation[: number - 1], job))
 
 
@@ -38,10 +40,18 @@ def _face(operation: Any, job: TurningJob) -> None:
         raise CycleError("face-diameter", what, value=value, limit=limit, advice="end nearer to the axis")
 
 
+def _taper(operation: Any, job: TurningJob) -> None:
+    inside = job.tools[operation.tool].is_inside
+    _require_free(operation.z_mm - operation.length_mm, "length_mm", job, inside)
+    _require_behind_end("taper-outside", operation.z_mm - operation.length_mm, job)
+    widest_mm = max(operation.diameter_mm, 2 * end_radius_mm(operation))
+    _require_narrow("taper-wide", "the cone is wider than the bar", widest_mm, job)
+
+
 def _profile(operation: Any, job: TurningJob) -> None:
     points, inside = job.curves[operation.profile].points(SAME_MM * 100), job.tools[operation.tool].is_inside
     name = Text("the profile '{name}'", name=operation.profile)
-    _require_free(float(points[:, 0].min()), name, job, inside)
+    _require_free(float(points[:, 0].min()), name, job, inside, code="profile-chuck")
     _require_behind_end("profile-outside", float(points[:, 0].min()), job, name)
     _require_narrow("profile-outside", "the profile is wider than the bar", 2 * float(points[:, 1].max()), job)
 
@@ -80,14 +90,21 @@ def _thread(operation: Any, job: TurningJob) -> None:
     _require_narrow("thread-wide", "the thread is wider than the bar", widest_mm, job)
 
 
-def _require_free(z_mm: float, what: str, job: TurningJob, is_inside: bool = False, more_mm: float = 0.0) -> None:
+def _require_free(
+    z_mm: float,
+    what: str,
+    job: TurningJob,
+    is_inside: bool = False,
+    more_mm: float = 0.0,
+    code: str = "chuck-reach",
+) -> None:
     """Raise CycleError for a place in the chuck or between its jaws; more_mm: how far the tool goes beyond its key."""
     jaw_mm = 0.0 if is_inside else job.chuck.jaw_mm
     end_mm = jaw_mm - job.stock.length_mm
     if z_mm < end_mm - SAME_MM:
         longer_mm = job.stock.length_mm + end_mm - z_mm
         raise CycleError(
-            "chuck-reach",
+            code,
             Text("{what} reaches into the chuck or its jaws", what=what),
             value=f"z {z_mm + more_mm:g} mm",
             limit=f"z {end_mm + more_mm:g} mm",
@@ -112,7 +129,9 @@ def _require_narrow(code: str, what: str, diameter_mm: float, job: TurningJob) -
 
 def _require_hole(operation: Any, job: TurningJob, bore_mm: float, deep_mm: float) -> None:
     """Raise CycleError for a bore that is narrower or deeper than the hole into which the boring bar goes."""
-    points = job.curves[operation.profile].points(SAME_MM * 100)
+    profile = profile_of(operation, job)
+    assert profile is not None
+    points = profile.points(SAME_MM * 100)
     widest_mm, lowest_mm = 2 * float(points[:, 1].max()), float(points[:, 0].min())
     if widest_mm <= bore_mm:
         what, limit = "the profile lies in the hole: there is nothing to bore", Text("above {bore:g} mm", bore=bore_mm)
@@ -139,5 +158,6 @@ CHECKS: dict[str, Callable[[Any, TurningJob], None]] = {
     "turn_groove": _groove,
     "turn_part": _part,
     "turn_rough": _profile,
+    "turn_taper": _taper,
     "turn_thread": _thread,
 }

@@ -21,6 +21,8 @@ from CNCStepper.errors import CNCStepperError, CycleError, JobError, Place
 from CNCStepper.gcode.dialects import Dialect, dialect
 from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
 from CNCStepper.job.turning.bar_limits import require_in_bar
+from CNCStepper.job.turning.cutting_warnings import cutting_warnings
+from CNCStepper.job.turning.taper_profile import profile_of
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.turning_tool import TurningTool
@@ -101,7 +103,7 @@ def turned_moves(job: TurningJob, machine: Machine) -> tuple[Toolpath, list[Turn
     begin = Start.at_zero() if dialect(machine.language()).starts_at_work_zero else Start()
     table = TableBuilder(begin, State(work_system=job.work_offset, plane="ZX"))
     answers = [
-        _cut(number, operation, setup, table, placement, job)
+        _cut(number, operation, setup, table, placement, job, machine)
         for number, (operation, setup) in enumerate(_setups(job, machine), start=1)
     ]
     return table.toolpath(), answers
@@ -114,6 +116,7 @@ def _cut(
     table: TableBuilder,
     placement: Placement,
     job: TurningJob,
+    machine: Machine,
 ) -> TurningAnswer:
     flood, mist = job.coolant == "flood", job.coolant == "mist"
     left = isinstance(operation, TurnThread) and thread_form(operation).left
@@ -127,6 +130,7 @@ def _cut(
         if number == 1 and math.isnan(table.position_mm[0]):
             table.rapid(placement.program(*job.start_zr))
         answer = cut(number, operation, setup, moves)
+        answer = replace(answer, warnings=(*answer.warnings, *cutting_warnings(answer, job, machine)))
     except CNCStepperError as error:
         if error.place:
             raise
@@ -139,8 +143,9 @@ def _setups(job: TurningJob, machine: Machine) -> Iterator[tuple[TurningOperatio
     """Yield each operation with its tool, the stock with what the ones before have drilled, and its speeds."""
     bore_mm = job.stock.bore_mm
     for number, operation in enumerate(job.operation, start=1):
-        tool, profile = job.tools[operation.tool], job.curves.get(getattr(operation, "profile", ""))
+        tool = job.tools[operation.tool]
         try:
+            profile = profile_of(operation, job)
             require_in_bar(number, job, bore_mm)
             rpm = spindle_speed(operation, job, machine)
             surface = _surface_speed(operation, job, machine, rpm)
@@ -148,7 +153,7 @@ def _setups(job: TurningJob, machine: Machine) -> Iterator[tuple[TurningOperatio
             if feed_mm_rev <= 0:
                 what, advice = "the operation has no feed", "give it or its tool a feed_mm_rev"
                 raise CycleError("feed-missing", what, value="0 mm", limit="above 0 mm", advice=advice)
-        except CycleError as error:
+        except (CycleError, JobError) as error:
             raise error.at(Place(f"operation {number} ({operation.cycle.replace('_', ' ')})")) from error
         raw = (job.stock.diameter_mm / 2, job.stock.face_mm, bore_mm)
         yield operation, TurningSetup(tool, *raw, job.start_zr, feed_mm_rev, rpm, profile, machine, *surface)
@@ -212,6 +217,7 @@ def _options(
         what = "the machine has no work offsets"
         raise JobError("work-offset", what, value=job.work_offset, limit="G54", advice="take out work_offset")
     by_hand = "M3" not in language.codes
+    x, y, z = machine.axes
     speeds = [f"tool {answer.tool}: {answer.figures['rpm']:g} rpm" for answer in answers] if by_hand else []
     return WriteOptions(
         units=job.units,
@@ -228,5 +234,6 @@ def _options(
         rapid_mm_min=machine.fastest_mm_min,
         x_is=job.x_is,
         incremental=job.distance == "incremental",
+        steps_per_mm=(x.steps_per_mm, y.steps_per_mm, z.steps_per_mm),
         turning_cycles=job.canned,
     )

@@ -23,8 +23,10 @@ from CNCStepper.cycles.turning.turning_operation import (
     TurningOperation,
     TurnPart,
     TurnRough,
+    TurnTaper,
     TurnThread,
 )
+from CNCStepper.job.turning.taper_profile import taper_profile
 from CNCStepper.job.turning.turning_job import TurningJob
 from CNCStepper.simulation.finding import Finding, refused
 from CNCStepper.simulation.turning.half_section import HalfSection, bar
@@ -184,6 +186,10 @@ def _of_operation(job: TurningJob, operation: TurningOperation) -> WantedProfile
     if isinstance(operation, TurnPart):
         z = operation.z_mm
         return wanted_ring((z - job.tools[operation.tool].width_mm, z), (operation.to_diameter_mm / 2, FAR_MM))
+    if isinstance(operation, TurnTaper):
+        inside, left_mm = job.tools[operation.tool].is_inside, 0.0 if operation.last_pass_mm else operation.ap_mm
+        points = taper_profile(operation, inside).points(CHORD_MM)
+        return wanted_chain(points, inside, left_mm=left_mm, tools=(operation.tool,), name=operation.cycle)
     if isinstance(operation, TurnDrill):
         outline = ToolSection.of(job.tools[operation.tool]).cutting_parts[0]
         ends = np.array([(-operation.depth_mm, 0.0), (face_mm + radius_mm, 0.0)])

@@ -14,7 +14,7 @@
     diameter_mm = 55
     face_mm = 1                     how far the raw end lies over z = 0
     length_mm = 170                 from the chuck's face to z = 0: the chuck's face is at z = -length_mm
-    [chuck]                         diameter_mm, and jaw_mm: how far jaws of jaw_diameter_mm come out of its face
+    [chuck]                         diameter_mm, jaw_mm: how far jaws of jaw_diameter_mm come out of its face, grip_n
     [tailstock]                     diameter_mm of its centre, angle_deg of its tip, on the axis at z = face_mm
     [[tool]]                        machine/tools/turning_tool.py
     [[profile]]                     job/turning/profile_form.py
@@ -71,11 +71,15 @@ class TurnedStock(_Checked):
 
 
 class Chuck(_Checked):
-    """The chuck: its face at z = -length_mm of the stock; jaws of jaw_diameter_mm come jaw_mm out of it."""
+    """The chuck: its face at z = -length_mm of the stock; jaws of jaw_diameter_mm come jaw_mm out of it.
+
+    grip_n: the force of all jaws, 0 where it is not known.
+    """
 
     diameter_mm: Width = 100.0
     jaw_diameter_mm: WidthOr0 = 0.0
     jaw_mm: WidthOr0 = 0.0
+    grip_n: Annotated[float, Bounds("force", zero=True)] = 0.0
 
 
 class Tailstock(_Checked):

@@ -10,6 +10,7 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.cut_transfer import machine_content, machine_from
 from CNCStepper.job.path_commands import commands, gcode
+from CNCStepper.job.turning.cutting_warnings import preset_speed_warnings
 from CNCStepper.job.turning.make_turning import in_part, make_turning, placement_of, turned_moves
 from CNCStepper.job.turning.turning_job import TurningJob, turning_job_of
 from CNCStepper.machine.profile import Machine
@@ -41,7 +42,8 @@ def last_cut(job: TurningJob, machine: Machine) -> tuple[dict[str, float], tuple
         _, answers = turned_moves(job, machine)
     except CNCStepperError as error:
         raise error.at(None) from error
-    return answers[-1].figures, answers[-1].warnings
+    last = answers[-1]
+    return last.figures, last.warnings + preset_speed_warnings(job.operation[-1], last.figures["rpm"], job, machine)
 
 
 def last_time_s(job: TurningJob, machine: Machine) -> float:

@@ -33,7 +33,8 @@ class WantedProfile:
 
     points: the profile itself, (z, r), float64[n, 2]. leave_mm: the stock to leave of the last operation, normal to it.
     left_mm: how much thicker the steps of its passes may be, where no operation finishes it. tools: the numbers of
-    those that cut it; without any, no material is missed that is left.
+    those that cut it; without any, no material is missed that is left. wall_r_mm: the radius to which the wall behind
+    the last point goes, on which the stock to leave stays too.
     """
 
     to_cut: BaseGeometry
@@ -43,12 +44,14 @@ class WantedProfile:
     left_mm: float = 0.0
     tools: tuple[int, ...] = ()
     name: str = ""
+    wall_r_mm: float = FAR_MM
 
     def must_go(self) -> BaseGeometry:
         """Return what is to be cut when the stock to leave stays."""
         if not self.leave_mm:
             return self.to_cut
-        return self.to_cut.difference(shapely.LineString(self.points).buffer(self.leave_mm, quad_segs=64))
+        surface = shapely.LineString([*self.points, (self.points[-1, 0], self.wall_r_mm)])
+        return self.to_cut.difference(surface.buffer(self.leave_mm, quad_segs=64))
 
 
 def wanted_chain(points: np.ndarray, inside: bool = False, **more: Any) -> WantedProfile:
@@ -56,7 +59,8 @@ def wanted_chain(points: np.ndarray, inside: bool = False, **more: Any) -> Wante
     far = 0.0 if inside else FAR_MM
     closed = np.vstack([points, [(points[-1, 0], far), (points[0, 0], far)]])
     span = float(points[:, 0].min()), float(points[:, 0].max())
-    return WantedProfile(solid(shapely.make_valid(shapely.Polygon(closed))), span, points, **more)
+    region = solid(shapely.make_valid(shapely.Polygon(closed)))
+    return WantedProfile(region, span, points, wall_r_mm=far, **more)
 
 
 def wanted_ring(z_mm: tuple[float, float], radius_mm: tuple[float, float], **more: Any) -> WantedProfile:

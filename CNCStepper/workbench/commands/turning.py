@@ -131,6 +131,16 @@ class TurnFinish(TurningOperation):
     label = later("Finishing")
 
 
+class TurnTaper(TurningOperation):
+    """Adds a cone to a lathe's job."""
+
+    name = "CNCStepper_TurnTaper"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_TurnTaper", "Turn cone")
+    tooltip = QT_TRANSLATE_NOOP("CNCStepper_TurnTaper", "Turns a cone by its diameters or its angle, without a profile")
+    cycle = "turn_taper"
+    label = later("Cone")
+
+
 class TurnGroove(TurningOperation):
     """Adds a groove to a lathe's job."""
 
@@ -187,6 +197,7 @@ COMMANDS = (
     TurnFace,
     TurnRough,
     TurnFinish,
+    TurnTaper,
     TurnGroove,
     TurnPart,
     TurnDrill,

@@ -90,6 +90,7 @@ OBJECT_TOPICS = (
     ObjectTopic("CNCStepper_TurnRough", later("Rough turning"), "turning.md"),
     ObjectTopic("CNCStepper_TurnBore", later("Bore turning"), "turning.md"),
     ObjectTopic("CNCStepper_TurnFinish", later("Finish turning"), "turning.md"),
+    ObjectTopic("CNCStepper_TurnTaper", later("Cone turning"), "turning.md"),
     ObjectTopic("CNCStepper_TurnGroove", later("Groove"), "turning.md"),
     ObjectTopic("CNCStepper_TurnPart", later("Part off"), "turning.md"),
     ObjectTopic("CNCStepper_TurnDrill", later("Drill on the lathe"), "turning.md"),

@@ -101,6 +101,8 @@ TURNING_WORDS = {
     "boring": later("boring"),
     "parting": later("parting and grooving"),
     "threading": later("threading"),
+    "diameters": later("two diameters"),
+    "angle": later("an angle"),
     "bar": later("bar"),
     "tube": later("tube"),
     "radius": later("radius"),

@@ -44,7 +44,7 @@ def _kind(obj: Any) -> type:
     from CNCStepper.workbench.viewproviders.operation import Operation
     from CNCStepper.workbench.viewproviders.preview import Preview
     from CNCStepper.workbench.viewproviders.program import Program
-    from CNCStepper.workbench.viewproviders.tool import Tool
+    from CNCStepper.workbench.viewproviders.tool import Tool, TurningTool
 
     if isinstance(obj.Proxy, Feature):
         return Operation
@@ -55,5 +55,6 @@ def _kind(obj: Any) -> type:
         "CNCStepper_Program": Program,
         "CNCStepper_Drawing": Drawing,
         "CNCStepper_Tool": Tool,
+        "CNCStepper_TurningTool": TurningTool,
     }
     return kinds.get(proxy_type(obj), ViewProvider)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a cutter looks in the tree: an icon of its shape, and a name that says what it is until a person gives one."""
+"""How a tool looks in the tree: its icon, and a name that says what it is until a person gives one."""
 
 from __future__ import annotations
 
@@ -9,23 +9,17 @@ from CNCStepper.workbench.features.base import PROBLEM, proxy_type
 from CNCStepper.workbench.services.messages import polled
 from CNCStepper.workbench.viewproviders.base import ViewProvider
 
-NAMED_BY = ("Number", "ToolShape", "Diameter", "TipAngle", "Label")  # the properties that the name is made of
 
+class NamedTool(ViewProvider):
+    """The view of a tool. NAMED_BY: the properties of which its name is made."""
 
-class Tool(ViewProvider):
-    """The view of a cutter."""
-
-    BADGED_BY = ("Problem", "ToolShape")
-
-    def icon_name(self) -> str:
-        """Return the name of its shape's icon."""
-        return f"{proxy_type(self.obj)}_{self.obj.ToolShape}"
+    NAMED_BY: tuple[str, ...] = ()
 
     @polled
     def updateData(self, obj: Any, name: str) -> None:
         """Draw icon and name anew when what they say has changed; FreeCAD calls this at every change of a property."""
         super().updateData(obj, name)
-        if name in NAMED_BY and PROBLEM.name in obj.PropertiesList and "Restore" not in obj.State:
+        if name in self.NAMED_BY and PROBLEM.name in obj.PropertiesList and "Restore" not in obj.State:
             self.name()
 
     def name(self) -> None:
@@ -36,3 +30,20 @@ class Tool(ViewProvider):
         is_so = self.obj.Label.removeprefix(words).isdigit() or self.obj.Label == words  # digits: the name was taken
         if not is_so and not has_own_name(self.obj):
             self.obj.Label = words
+
+
+class Tool(NamedTool):
+    """The view of a cutter, with the icon of its shape."""
+
+    BADGED_BY = ("Problem", "ToolShape")
+    NAMED_BY = ("Number", "ToolShape", "Diameter", "TipAngle", "Label")
+
+    def icon_name(self) -> str:
+        """Return the name of its shape's icon."""
+        return f"{proxy_type(self.obj)}_{self.obj.ToolShape}"
+
+
+class TurningTool(NamedTool):
+    """The view of a lathe's tool."""
+
+    NAMED_BY = ("Number", "Kind", "Insert", "Width", "Diameter", "TipAngle", "NoseRadius", "Label")

@@ -37,3 +37,25 @@ def meddle(motion, act, factor):
         motion.advance(0.7)
     else:
         motion.override(*((factor, 1.0) if act == "feed" else (1.0, min(factor, 1.0))))
+
+
+def held_on_a_line(limits, after, factor, steps_per_mm):
+    """Hold two collinear moves of 40 mm while an override acts, and resume; returns the motion and its accelerations.
+
+    after: of 5 ms, how many before the override. The accelerations, mm/s², are those of every 50 ms.
+    """
+    motion = Motion(limits, record=True)
+    motion.line((40, 0, 0), 3000)
+    motion.line((80, 0, 0), 1000)
+    motion.advance(after * 0.005)
+    motion.override(factor, 1.0)
+    motion.advance(0.1)
+    motion.hold()
+    motion.advance(20)
+    assert motion.held
+    motion.resume()
+    motion.advance(400)
+    steps = motion.step_path()
+    grid = np.arange(0, steps[-1, 0], 0.05)
+    places = np.concatenate([[0], steps[:, 1]])[np.searchsorted(steps[:, 0], grid, side="right")] / steps_per_mm
+    return motion, np.abs(np.diff(places, 2)) / 0.05**2

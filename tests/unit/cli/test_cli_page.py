@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 from pathlib import Path
 from types import ModuleType
 
@@ -12,6 +11,7 @@ import pytest
 
 from CNCStepper.cli.main import FAMILY_OF
 from CNCStepper.cli.program.check import command as check
+from helpers.tools import load
 
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "reference" / "cli.md"
@@ -19,11 +19,7 @@ PAGE = ROOT / "docs" / "reference" / "cli.md"
 
 @pytest.fixture(scope="module")
 def tool() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("reference", ROOT / "tools" / "reference.py")
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return load("reference")
 
 
 def test_the_page_is_what_the_commands_declare(tool: ModuleType) -> None:

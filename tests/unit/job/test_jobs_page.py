@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 from pathlib import Path
 
@@ -14,10 +13,10 @@ from CNCStepper.cycles.turning.turning_operation import TURNING_OPERATIONS
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
 from CNCStepper.job.prove import prove_job
+from helpers.tools import load
 
 ROOT = Path(__file__).parents[3]
 PAGE = (ROOT / "docs" / "reference" / "job-file.md").read_text("utf-8")
-TOOL = ROOT / "tools" / "reference.py"
 
 
 def job_file(folder: Path) -> Path:
@@ -40,10 +39,7 @@ def test_the_job_is_proven_without_an_error(tmp_path: Path) -> None:
 
 
 def test_the_tables_of_the_cycles_are_those_of_the_code() -> None:
-    spec = importlib.util.spec_from_file_location("reference", TOOL)
-    assert spec is not None and spec.loader is not None
-    tool = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(tool)
+    tool = load("reference")
     assert tool.page(PAGE) == PAGE, "run 'python tools/reference.py'"
 
 

@@ -22,6 +22,7 @@ from CNCStepper.gcode.syntax.words import pack, split_line
 
 _LEADS = re.compile(r"[ \t]*/?[ \t]*(?:N[0-9. \t]*)?(?:O|M[ \t0.+]*9[ \t]*[89](?![0-9])|M[ \t]*[#\[])", re.IGNORECASE)
 _PROFILE = re.compile(r"G[ \t]*7[ \t]*[0-2]", re.IGNORECASE)
+_NUMBERED_PROFILE = re.compile(r"G[ \t]*7[ \t]*[0-3](?![0-9.])", re.IGNORECASE)
 _COMMENTS = re.compile(r"\([^)\r\n]*\)?|;[^\r\n]*")
 _BEYOND_WORDS = re.compile(
     r"[#\[]|(?:^|[\r\n])[ \t]*/?[ \t]*(?:N[0-9. \t]*)?(?:O|M[ \t0.+]*9[ \t]*[89])", re.IGNORECASE
@@ -115,6 +116,11 @@ def leads(text: str) -> bool:
 def has_profile(text: str) -> bool:
     """Whether a line may be a cycle whose profile is a subroutine: G70 to G72."""
     return _PROFILE.search(text) is not None
+
+
+def names_blocks(text: str) -> bool:
+    """Whether a line may be a cycle that names the blocks of its profile by N: Fanuc's G70 to G73."""
+    return _NUMBERED_PROFILE.search(text) is not None
 
 
 def read_flow_line(text: str, known: SystemParameters, strict_comments: bool) -> FlowLine | None:

@@ -25,6 +25,7 @@ from CNCStepper.gcode.interpreter.flow.flow_line_parser import (
     read_flow_line,
     read_m98,
 )
+from CNCStepper.gcode.interpreter.flow.numbered_blocks import NumberedBlocks
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Library, Source
 from CNCStepper.gcode.interpreter.line_interpreter import Interpreter
 from CNCStepper.gcode.interpreter.state.interpreter_state import Model
@@ -78,6 +79,9 @@ def run_on(
     if interpreter.dialect.o_words:
         yield from Flow(interpreter, lines, library or Library(), limits or Limits()).run()
         return
+    if interpreter.dialect.two_block_cycles:
+        yield from NumberedBlocks(interpreter, lines).run()
+        return
     for index in range(interpreter.line_number, len(lines)):
         interpreter.line(lines[index])
         yield
@@ -94,7 +98,7 @@ def refusals(interpreter: Interpreter, text: str, library: Library | None = None
     for line in lines[interpreter.line_number :]:
         try:
             if interpreter.leads(line):
-                for _ in Flow(interpreter, lines, library or Library(), Limits()).run():
+                for _ in run_on(interpreter, lines, library):
                     pass
                 return
             interpreter.line(line)

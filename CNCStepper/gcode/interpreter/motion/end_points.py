@@ -12,13 +12,15 @@ from cmath import phase, rect
 from dataclasses import replace
 from math import isnan, radians
 
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects import Dialect
-from CNCStepper.gcode.dialects.codes import AXES
+from CNCStepper.gcode.dialects.codes import AXES, MOTION_NAMES
 from CNCStepper.gcode.interpreter.state.interpreter_state import Model, Point
 from CNCStepper.gcode.interpreter.state.parameters import FURTHER, length_scale
 from CNCStepper.gcode.syntax.line_grammar import Plan
 from CNCStepper.state import UNKNOWN
+
+STOCK_WORDS = ("G70", "G71", "G72", "G73")  # whose U and W are no places
 
 
 def end_point(model: Model, plan: Plan, values: list[float]) -> Point:
@@ -52,6 +54,28 @@ def _work_end(local: Model, plan: Plan, values: list[float]) -> Point:
         return end_point(local, plan, values)
     x, y, z = end_point(local, replace(plan, axes=(-1, -1, plan.axes[2]), polar=False), values)
     return *polar_end(local, plan, values, complex(x, y)), z
+
+
+def without_increments(model: Model, plan: Plan, values: list[float]) -> tuple[Plan, list[float]]:
+    """Return a lathe's words with U and W as the X and Z that they lead to; those of a cycle stay.
+
+    Raises ProgramError for both words of one axis, and from an unknown position.
+    """
+    if not plan.further or MOTION_NAMES[plan.motion] in STOCK_WORDS:
+        return plan, values
+    slots, axes = dict(plan.slots), list(plan.axes)
+    for letter, axis in (("U", 0), ("W", 2)):
+        if letter not in slots:
+            continue
+        if axes[axis] >= 0:
+            what = Text("{letter} and {axis} are the same axis", letter=letter, axis=AXES[axis])
+            raise ProgramError("axis-conflict", what, value=letter, advice="take one of them out")
+        here = model.programmed_work()[axis] / model.scale * (2.0 if axis == 0 and model.diameter else 1.0)
+        if isnan(here):
+            raise unknown_position(letter, "an incremental word needs a known position")
+        axes[axis] = slots[AXES[axis]] = slots.pop(letter)
+        values[axes[axis]] += here
+    return replace(plan, slots=slots, axes=(axes[0], axes[1], axes[2]), further=False), values
 
 
 def further_end(model: Model, plan: Plan, values: list[float]) -> tuple[float, ...]:

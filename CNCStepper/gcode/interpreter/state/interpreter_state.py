@@ -114,7 +114,7 @@ class Model:
     that the short ways through a line serve. further: the machine position of A B C (degrees) U V W (mm), empty
     until one of them is named. origin, g92, tool_offset: of all nine axes, mm and degrees; offset: the three together,
     machine = offset + work turned by `turn`; further_offset: the same of the six. diameter: X words are diameters
-    (G7). highest_rpm: of the spindle under G96, from G50.
+    (G7). highest_rpm: of the spindle under G96, from G50. cycle_words: of first blocks of a lathe's cycles.
     run: the words of canned cycles that stick while one is modal; to_initial: G98. parameters: the program's
     own, shared by the copies; a refused block's are rolled back. path_calls: what a trace says when the path mode in
     force comes back. tools: the tool table; loaded: the entry of the tool in the spindle. saved: modes kept by M70
@@ -130,6 +130,7 @@ class Model:
         "arc_allowed",
         "bare",
         "compensation",
+        "cycle_words",
         "diameter",
         "ended",
         "far_plane",
@@ -195,6 +196,7 @@ class Model:
     plasma: Plasma | None
     diameter: bool
     highest_rpm: float
+    cycle_words: dict[str, dict[str, float]]
     compensation: Compensation | None
     arc_allowed: bool
     nurbs: Nurbs | None
@@ -347,6 +349,7 @@ def _fresh_modes(model: Model, bare: bool) -> None:
     model.further_offset = NO_FURTHER
     model.diameter = False
     model.highest_rpm = NO_LIMIT
+    model.cycle_words = {}
     model.far_plane = ""
     model.compensation = None
     model.arc_allowed = True

@@ -12,6 +12,7 @@ from CNCStepper.cycles.turning.turning_parameters import (
     TurnGrooveParameters,
     TurnPartParameters,
     TurnRoughParameters,
+    TurnTaperParameters,
     TurnThreadParameters,
 )
 from CNCStepper.errors import CycleError, Text
@@ -168,6 +169,14 @@ class TurnBore(TurningOperation):
     PROPERTIES = (*OPERATION, *FOLLOWED, *properties_of(TurnRoughParameters), *USED)
 
 
+class TurnTaper(TurningOperation):
+    """The proxy of a cone."""
+
+    Type = "CNCStepper_TurnTaper"
+    CYCLE = "turn_taper"
+    PROPERTIES = (*OPERATION, *properties_of(TurnTaperParameters), *USED)
+
+
 class TurnThread(TurningOperation):
     """The proxy of a thread."""
 
@@ -188,6 +197,7 @@ TURNING_KINDS: tuple[type[TurningOperation], ...] = (
     TurnFace,
     TurnRough,
     TurnFinish,
+    TurnTaper,
     TurnGroove,
     TurnPart,
     TurnDrill,

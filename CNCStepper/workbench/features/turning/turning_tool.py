@@ -47,7 +47,7 @@ class TurningTool(Feature):
         Property("insert", "Insert", TEXT, INSERT, later("Insert"),
                  later("Its code of ISO 1832, such as CNMG 120408; empty: by its angles"), "CNMG 120408",
                  only=_of(*WITH_INSERT)),
-        Property("hand", "Hand", ENUMERATION, INSERT, later("Hand"), later("Right hand cuts towards the chuck"),
+        Property("hand", "Hand", ENUMERATION, INSERT, later("Cutting hand"), later("Right hand cuts towards the chuck"),
                  "right", choices=("right", "left")),
         Property("inside", "Inside", BOOL, INSERT, later("Inside"), later("Whether it works in a bore"), False,
                  only=_of(PARTING, THREADING, TURNING)),

@@ -62,6 +62,23 @@ def test_the_finished_path_is_the_parallel_of_the_profile():
     assert points[-1, 0] == pytest.approx(-20 + 0.8)  # the wall at the profile's end
 
 
+LOW_ENDS = [
+    (-20.0, 19.6, 180.0, -20 + math.sqrt(0.8**2 - 0.4**2)),  # the nose rolls over an edge half its radius high
+    (-20.0, 18.0, 180.0, -20 + 0.8),  # a wall higher than the nose is met by its side
+    (-20.0, 20.0, 150.0, -20 + 0.8 * math.sin(math.radians(30.0))),  # a slope that ends at the bar is cut to its end
+]
+
+
+@pytest.mark.parametrize(("z", "r", "way_deg", "last_z"), LOW_ENDS)
+def test_a_wall_lower_than_the_nose_is_met_at_its_upper_edge(z, r, way_deg, last_z):
+    way = complex(math.cos(math.radians(way_deg)), math.sin(math.radians(way_deg)))
+    profile = from_points([(0, r - 4), (z - 5 * way.real, r - 5 * way.imag), (z, r)])
+    path = centre_path(profile, 0.8, 22.0, 20.0)
+    assert path.xy[-1, 0] == pytest.approx(last_z, abs=2e-4)
+    edge_mm = path.distances_mm(np.array([(z, 20.0)]))
+    assert edge_mm[0] == pytest.approx(0.8, abs=2e-4)
+
+
 def test_levels_are_even_and_every_pass_ends_at_the_stock_to_leave():
     rows, answer = rows_of("turn_rough", CNMG, SHAFT, ap_mm=2.0, stock_to_leave_mm=0.5)
     assert answer.figures == {"passes": 5.0, "ap_mm": 1.9, "feed_mm_rev": 0.2, "rpm": 500.0}

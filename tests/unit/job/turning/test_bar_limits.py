@@ -9,10 +9,12 @@ from typing import Any
 
 import pytest
 
+from CNCStepper.cycles.turning.turning_operation import turning_operation_class
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.job.turning.make_turning import turned_moves
 from CNCStepper.job.turning.turning_job import turning_job_of
 from CNCStepper.machine.profile import load_machine
+from CNCStepper.workbench.panels.field_errors import key_of
 
 ROOT = Path(__file__).parents[4]
 JOB = """
@@ -60,7 +62,7 @@ def refused(operations: list[dict[str, Any]], points: list | None = None, **chan
         (FACE | {"spindle_rpm": 1}, None, "speed-low", "1 rpm", "90 rpm"),
         (FACE | {"spindle_rpm": 50_000}, None, "speed-high", "50000 rpm", "2000 rpm"),
         (ROUGH, [[80, 0], [80, -60]], "profile-outside", "80 mm", "55 mm"),
-        (ROUGH, [[40, 0], [40, -120]], "chuck-reach", "z -120 mm", "z -115 mm"),
+        (ROUGH, [[40, 0], [40, -120]], "profile-chuck", "z -120 mm", "z -115 mm"),
         (ROUGH, [[40, 60], [40, 20]], "profile-outside", "z 20 mm", "below z 1 mm"),
         (ROUGH, [[40, -40], [40, -60]], "profile-begin", "z -40 mm", "z 1 mm"),
         (ROUGH, [[40, 0], [40, 0]], "profile-short", "0 mm long", "above 0 mm"),
@@ -127,6 +129,41 @@ def test_a_bore_goes_into_the_hole_that_is_there(profile, code, value, limit):
 )  # fmt: skip
 def test_a_job_whose_parts_cannot_be_is_refused(changes, says):
     assert says in str(refused([FACE, ROUGH], **changes))
+
+
+REFUSED_FIELDS = [
+    (FACE | {"to_z_mm": -125}, None, "to_z_mm"),
+    (FACE | {"to_diameter_mm": 80}, None, "to_diameter_mm"),
+    (FACE | {"to_z_mm": 20}, None, "to_z_mm"),
+    (FACE | {"spindle_rpm": 1}, None, "spindle_rpm"),
+    (ROUGH, [[80, 0], [80, -60]], "drawings"),
+    (ROUGH, [[40, 0], [40, -120]], "drawings"),
+    (ROUGH, [[40, -40], [40, -60]], "drawings"),
+    (ROUGH | {"stock_to_leave_mm": 100}, None, "stock_to_leave_mm"),
+    (ROUGH | {"ap_mm": 0.001}, [[0, 1], [40, -60]], "ap_mm"),
+    (GROOVE | {"width_mm": 2}, None, "width_mm"),
+    (GROOVE | {"diameter_mm": 1}, None, "tool"),
+    (GROOVE | {"diameter_mm": 50}, None, "diameter_mm"),
+    (GROOVE | {"z_mm": -120}, None, "z_mm"),
+    (PART | {"z_mm": -114}, None, "z_mm"),
+    (PART | {"to_diameter_mm": 28, "peck_mm": 0.001}, None, "peck_mm"),
+    (DRILL | {"depth_mm": 140}, None, "depth_mm"),
+    (DRILL | {"tool": 6}, None, "tool"),
+    (DRILL | {"peck_mm": 0.001}, None, "peck_mm"),
+    (BORE, None, "tool"),
+    (THREAD | {"thread": "M80x1.5"}, None, "diameter_mm"),
+    (THREAD | {"length_mm": 180}, None, "length_mm"),
+    (THREAD | {"z_mm": 50}, None, "z_mm"),
+    (THREAD | {"thread": "M40x3"}, None, "tool"),
+    (THREAD | {"spindle_rpm": 2000}, None, "spindle_rpm"),
+]
+
+
+@pytest.mark.parametrize(("operation", "profile", "field"), REFUSED_FIELDS)
+def test_a_refusal_stands_at_the_field_that_it_speaks_of(operation, profile, field):
+    drawn = ("drawings",) if operation["cycle"] in ("turn_bore", "turn_rough", "turn_thread") else ()
+    fields = [each for each in turning_operation_class(operation["cycle"]).model_fields if each != "profile"]
+    assert key_of(refused([operation], profile), (*fields, *drawn)) == field
 
 
 def test_a_cycle_that_follows_a_profile_needs_one():

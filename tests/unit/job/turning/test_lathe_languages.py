@@ -56,6 +56,8 @@ operation = [
 
 
 def machine_of(controller: str) -> Machine:
+    if controller in LANGUAGES:
+        return load_machine(controller)
     return load_machine("linuxcnc-lathe").model_copy(update={"controller": controller})
 
 

@@ -15,6 +15,7 @@ from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.planner.plan import duration_s
 from CNCStepper.state import Start
 from CNCStepper.toolpath import TableBuilder
+from helpers.motion.meddling import held_on_a_line
 
 LIMITS = Limits.of(load_machine("table-a"))
 TARGETS = np.cumsum(np.random.default_rng(3).normal(0, 0.6, (60, 3)) * (1, 1, 0.1), axis=0)
@@ -106,21 +107,8 @@ def test_meddling_never_costs_a_pulse(acts):
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 300), st.floats(0.1, 2.0))
 def test_holds_and_overrides_keep_to_the_acceleration(after, factor):
-    motion = Motion(LIMITS, record=True)
-    motion.line((40, 0, 0), 3000)
-    motion.line((80, 0, 0), 1000)
-    motion.advance(after * 0.005)
-    motion.override(factor, 1.0)
-    motion.advance(0.1)
-    motion.hold()
-    motion.advance(20)
-    motion.resume()
-    motion.advance(100)
-    steps = motion.step_path()
-    grid = np.arange(0, steps[-1, 0], 0.05)
-    places = np.concatenate([[0], steps[:, 1]])[np.searchsorted(steps[:, 0], grid, side="right")] / 80
-    change = np.abs(np.diff(np.diff(places) / 0.05)).max()
-    assert change <= 250 * 0.05 + 2 / 80 / 0.05 + 1
+    motion, accelerations = held_on_a_line(LIMITS, after, factor, 80)
+    assert accelerations.max() * 0.05 <= 250 * 0.05 + 2 / 80 / 0.05 + 1
     assert motion.position_steps == (6400, 0, 0)
 
 

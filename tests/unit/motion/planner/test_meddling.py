@@ -11,8 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from CNCStepper.motion.planner.live_motion import Motion
-from helpers.motion.meddling import WAY, meddled
+from helpers.motion.meddling import WAY, held_on_a_line, meddled
 from helpers.motion.ramp_programs import RAMPS
 
 acts = st.lists(
@@ -49,21 +48,8 @@ def test_meddling_at_every_moment_of_a_ramp_costs_no_pulse(limits):
 @settings(max_examples=12, deadline=None)
 @given(after=st.integers(0, 300), factor=st.floats(0.1, 2.0))
 def test_holds_and_overrides_keep_to_the_acceleration(limits, after, factor):
-    motion = Motion(limits, record=True)
-    motion.line((40, 0, 0), 3000)
-    motion.line((80, 0, 0), 1000)
-    motion.advance(after * 0.005)
-    motion.override(factor, 1.0)
-    motion.advance(0.1)
-    motion.hold()
-    motion.advance(20)
-    assert motion.held
-    motion.resume()
-    motion.advance(400)
-    steps = motion.step_path()
-    grid = np.arange(0, steps[-1, 0], 0.05)
-    places = np.concatenate([[0], steps[:, 1]])[np.searchsorted(steps[:, 0], grid, side="right")] / 800
-    assert np.abs(np.diff(places, 2) / 0.05).max() <= 250 * 0.05 * 1.15 + 1
+    motion, accelerations = held_on_a_line(limits, after, factor, 800)
+    assert accelerations.max() * 0.05 <= 250 * 0.05 * 1.15 + 1
     assert motion.position_steps == (64000, 0, 0)
 
 
