@@ -21,6 +21,8 @@ from CNCStepper.geometry.curve import Curve
 Share = Callable[[float], None]
 """Called with the share of a reading that is done, 0 to 1."""
 
+KERF = "Kerf"  # the custom variable of a DXF file that holds the kerf of a nested sheet, mm
+
 
 @dataclass(frozen=True, slots=True)
 class Attributes:
@@ -78,6 +80,7 @@ class Drawing:
 
     `unit_mm` is the length of the file's unit. `damage` describes a damaged file of which a part may be missing; "" for
     a sound one. `warnings` describe what was read otherwise than the file says (a clip path that was not applied).
+    `kerf_mm` is the kerf for which parts on a nested sheet share cuts, None where they share none.
     """
 
     chains: Sequence[Chain]
@@ -86,6 +89,7 @@ class Drawing:
     unit_mm: float = 1.0
     damage: str = ""
     warnings: tuple[str, ...] = ()
+    kerf_mm: float | None = None
 
     @property
     def layers(self) -> tuple[Layer, ...]:

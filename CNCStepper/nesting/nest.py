@@ -30,6 +30,7 @@ STRIP_SHARE = 0.6  # of the time, on sheets; a strip gets nearly all
 FIRST_SHARE = 0.25  # of the time, for the first attempt where strips follow
 LONGEST_FIRST = 5.0  # times the time given, and so many seconds more
 LAST_SHARE = 0.02  # of the time, for sliding and judging
+STRIP_LAST_SHARE = 0.01  # for the same on a strip, which gains next to nothing by it
 SNAP_SHARE = 0.2  # of the time, for that and for moving edges together, where parts share cuts
 Rank = tuple[float, ...]
 
@@ -142,7 +143,7 @@ class _Group:
 
     def _searched(self, seed: int) -> Attempt:
         """Return the best attempt within the budget."""
-        end = self._budget.part(self._budget.left_s * (1.0 - (SNAP_SHARE if self._common_lines else LAST_SHARE)))
+        end = self._budget.part(self._budget.left_s * (1.0 - self._last_share()))
         best = self._first(end)
         if self._strips and self._order:
             hidden = in_holes(self._shapes, best.fillings) if best else Counter()
@@ -151,6 +152,12 @@ class _Group:
             left = packed_sheets(fresh, self._order, hidden, self._strips, end.part(time_s), seed)
             best = self._better(best, Attempt(tuple(fresh), tuple(left), self._budget.stopped.is_set()))
         return self._improved(best or Attempt((), ()), end)
+
+    def _last_share(self) -> float:
+        """Return the share of the time that is kept for what follows the search."""
+        if self._common_lines:
+            return SNAP_SHARE
+        return STRIP_LAST_SHARE if len(self._rooms) == 1 else LAST_SHARE
 
     def _first(self, end: Budget) -> Attempt | None:
         """Return the first attempt part by part; on one sheet without holes in parts the strips do better alone."""

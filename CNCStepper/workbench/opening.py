@@ -36,8 +36,18 @@ def every() -> None:
     missing_packages.look_again()
     missing_packages.report_once(open_installation)
     if not missing_packages.why_not():
-        from CNCStepper.workbench.calculation import kernel_warmup
-
-        kernel_warmup.begin()
+        _warm_up()
         first_run.show_once()
     dock.open_if_connected()
+
+
+def _warm_up() -> None:
+    """Let kernels be compiled where they are not, and load what the first panels need beside the window."""
+    from PySide import QtCore
+
+    from CNCStepper.workbench.calculation import import_warmup, kernel_warmup
+
+    if compiling := kernel_warmup.begin():
+        compiling.ended.connect(import_warmup.begin)  # a kernel that is called before would be compiled here
+    else:
+        QtCore.QTimer.singleShot(import_warmup.AFTER_MS, import_warmup.begin)

@@ -7,10 +7,11 @@ writes them. When standard input is closed the process ends.
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 
-from CNCStepper.job.batch.batch_task import run_task
+from CNCStepper.garbage import collection_paused
 from CNCStepper.job.batch.local_workers import decoded, encoded
 
 
@@ -18,6 +19,9 @@ def main() -> int:
     """Answer what standard input asks; return the exit status."""
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a library prints is no answer
+    with collection_paused():  # a sixth of the time of these imports
+        from CNCStepper.job.batch.batch_task import run_task
+    gc.freeze()
     for line in sys.stdin.buffer:
         answers.write(encoded(run_task(decoded(line))))
         answers.flush()

@@ -13609,6 +13609,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cut facing edges of neighbours once; their gap is the kerf.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut so many mm before the place again, within its cut.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15385,6 +15389,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>part    height        d1        d2        d3      mean  deviation     ratio  height's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parts that share cuts lie the kerf apart: leave --gap or --common-lines out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18955,6 +18963,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>common lines need one kerf: all of the template's operations have to cut sheets with it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>common lines: {blocks} blocks of parts, {length:.3f} m of cut and {pierces} pierces saved</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21667,6 +21679,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>nest again with kerf_mm = {kerf:g}, or correct the operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>nest them again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21864,6 +21880,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>no screw and rotor has more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no sheet_cut</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22268,6 +22288,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} has another kerf than the nest whose parts share cuts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23508,6 +23532,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take another template, or leave common lines out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

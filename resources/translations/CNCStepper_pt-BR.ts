@@ -13624,6 +13624,10 @@
             <translation>Corta uma só vez as bordas de vizinhos que se tocam; a folga do pedido deve ser 0.</translation>
         </message>
         <message>
+            <source>Cut facing edges of neighbours once; their gap is the kerf.</source>
+            <translation>Cortar uma só vez as bordas opostas de peças vizinhas; a folga entre elas é a largura do corte.</translation>
+        </message>
+        <message>
             <source>Cut so many mm before the place again, within its cut.</source>
             <translation>Corta de novo estes mm antes do ponto, dentro do seu corte.</translation>
         </message>
@@ -15408,6 +15412,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>part    height        d1        d2        d3      mean  deviation     ratio  height's</source>
             <translation>peça    altura        d1        d2        d3     média     desvio     razão  da altura</translation>
+        </message>
+        <message>
+            <source>parts that share cuts lie the kerf apart: leave --gap or --common-lines out</source>
+            <translation>peças que compartilham cortes ficam à distância da largura do corte: deixe de fora --gap ou --common-lines</translation>
         </message>
         <message>
             <source>path</source>
@@ -18977,6 +18985,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>cncstepper disconnect --port {port}, depois conecte de novo</translation>
         </message>
         <message>
+            <source>common lines need one kerf: all of the template's operations have to cut sheets with it</source>
+            <translation>linhas comuns exigem uma única largura de corte: todas as operações do modelo têm de cortar chapas com ela</translation>
+        </message>
+        <message>
             <source>common lines: {blocks} blocks of parts, {length:.3f} m of cut and {pierces} pierces saved</source>
             <translation>linhas comuns: {blocks} blocos de peças, {length:.3f} m de corte e {pierces} perfurações poupados</translation>
         </message>
@@ -21689,6 +21701,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>parâmetros com nome não fazem parte deste dialeto</translation>
         </message>
         <message>
+            <source>nest again with kerf_mm = {kerf:g}, or correct the operation</source>
+            <translation>aninhe de novo com kerf_mm = {kerf:g} ou corrija a operação</translation>
+        </message>
+        <message>
             <source>nest them again</source>
             <translation>aninhe-as de novo</translation>
         </message>
@@ -21887,6 +21903,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>no screw and rotor has more</source>
             <translation>nenhum fuso com rotor tem mais</translation>
+        </message>
+        <message>
+            <source>no sheet_cut</source>
+            <translation>nenhum sheet_cut</translation>
         </message>
         <message>
             <source>no solid is chosen</source>
@@ -22291,6 +22311,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
             <translation>a operação {number} ({cycle}) vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
+        </message>
+        <message>
+            <source>operation {number} has another kerf than the nest whose parts share cuts</source>
+            <translation>a operação {number} tem outra largura de corte que o aninhamento cujas peças compartilham cortes</translation>
         </message>
         <message>
             <source>operation {number} has another {key} than its file</source>
@@ -23531,6 +23555,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
             <translation>use uma espessura dentro dela, outro consumível, ou dê uma tabela própria com esta linha</translation>
+        </message>
+        <message>
+            <source>take another template, or leave common lines out</source>
+            <translation>use outro modelo ou deixe de fora as linhas comuns</translation>
         </message>
         <message>
             <source>take constant_surface_speed out, and give a fixed speed</source>

@@ -17,6 +17,7 @@ from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.sheets.arrange import SizeType
+from CNCStepper.errors import Text
 
 if TYPE_CHECKING:
     from CNCStepper.job.batch.local_workers import Workers
@@ -58,6 +59,7 @@ def _names(params: Mapping[str, Any]) -> Mapping[str, str]:
 )
 @click.option("--seeds", type=click.IntRange(1, 1000), default=2, show_default=True, help="Searches for each nest.")
 @click.option("--attempts", type=click.IntRange(0, 100_000), default=4, show_default=True, help="Of each search.")
+@click.option("--common-lines", is_flag=True, help="Cut facing edges of neighbours once; their gap is the kerf.")
 @click.option("--title", default="", help="Of the offer. [default: the order's name]")
 def command(
     order: Path,
@@ -72,6 +74,7 @@ def command(
     turn: str,
     seeds: int,
     attempts: int,
+    common_lines: bool,
     title: str,
 ) -> None:
     """Make, nest, prove and price the drawings of ORDER, a CSV: drawing, template, material, thickness_mm, count.
@@ -85,6 +88,8 @@ def command(
     from CNCStepper.job.batch.order_rows import read_rows
     from CNCStepper.job.batch.run_batch import NestOptions, run_batch
 
+    if common_lines and gap_mm is not None:
+        raise click.UsageError(Text("parts that share cuts lie the kerf apart: leave --gap or --common-lines out"))
     rows = read_rows(order)
     runs = _workers(workers, cluster, [key for key in (tls_ca, tls_cert, tls_key) if key])
     size_mm = (sheet[0], sheet[1]) if sheet else None
@@ -95,7 +100,7 @@ def command(
             progress.doing(doing)
             progress.share(share)
 
-        result = run_batch(rows, out, runs, NestOptions(size_mm, gap_mm, turn, seeds, attempts), show)
+        result = run_batch(rows, out, runs, NestOptions(size_mm, gap_mm, turn, seeds, attempts, common_lines), show)
     for path in write_tables(result, out, title or order.stem):
         click.echo(f"{path}")
     _tell(result)

@@ -23,7 +23,7 @@ import numpy as np
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.chain_columns import ChainColumns, ChainGatherer
-from CNCStepper.drawing.drawing import Attributes, Chain, Drawing, Share, Skipped
+from CNCStepper.drawing.drawing import KERF, Attributes, Chain, Drawing, Share, Skipped
 from CNCStepper.drawing.dxf.attributes import (
     BLACK,
     Insertion,
@@ -99,7 +99,16 @@ def read_dxf(
         )
     kept, doubles = without_drawn([*chains, *reading.whole]) if reading.whole else (chains, 0)
     warnings = [*reading.texts.warnings, *_double_warnings(doubles)]
-    return Drawing(kept, gaps, tuple(skipped), unit_mm, printable(damage, MOST_WORDS), tuple(warnings))
+    told = printable(damage, MOST_WORDS), tuple(warnings), _kerf_mm(source.document)
+    return Drawing(kept, gaps, tuple(skipped), unit_mm, *told)
+
+
+def _kerf_mm(document: Any) -> float | None:
+    """Return the kerf that a nested sheet names; None where there is none, or no good one."""
+    try:
+        return Bounds("width").require(float(document.header.custom_vars.get(KERF, "")), KERF)
+    except (ValueError, JobError):
+        return None
 
 
 def _empty(path: Path, skipped: int) -> JobError:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.drawing.drawing import Chain, Drawing
+from CNCStepper.drawing.drawing import KERF, Chain, Drawing
 from CNCStepper.output_files import MADE_BY
 
 NOT_IN_NAMES = str.maketrans(dict.fromkeys('<>/\\":;?*|=`', "_"))  # signs that a layer's name must not have
@@ -23,6 +23,8 @@ def dxf_bytes(drawing: Drawing) -> bytes:
     ezdxf.options.write_fixed_meta_data_for_testing = True  # no dates: the same drawing is the same bytes
     document = ezdxf.new("R2004", units=ezdxf.units.MM)
     document.header.custom_vars.append("Creator", MADE_BY)
+    if drawing.kerf_mm is not None:
+        document.header.custom_vars.append(KERF, repr(drawing.kerf_mm))
     space = document.modelspace()
     for chain in drawing.chains:
         checkpoint()

@@ -87,10 +87,11 @@ def csv_bytes(head: Sequence[str], table: Sequence[dict[str, str]]) -> bytes:
 
 
 def text_table(result: BatchResult, title: str) -> str:
-    """Return both tables and all refusals as text."""
+    """Return both tables, what the nests save by common lines, and all refusals as text."""
     lines = [f"{title}, {MADE_BY}", "", *_aligned(TEXT_COLUMNS, row_table(result))]
     lines += ["", *_aligned(SHEET_HEAD, sheet_table(result))]
-    problems = list(refusals(result))
+    notes = [f"nest {group}: {note}" for group, nest in sorted(result.nests.items()) for note in nest["notes"]]
+    problems = [*notes, *refusals(result)]
     return "\n".join([*lines, *([""] if problems else []), *problems]) + "\n"
 
 

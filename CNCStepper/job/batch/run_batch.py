@@ -29,13 +29,17 @@ Key = TypeVar("Key")
 
 @dataclass(frozen=True)
 class NestOptions:
-    """How parts are nested. sheet_mm: None: the template's, or the machine's travel; gap_mm: None: its margin."""
+    """How parts are nested. sheet_mm: None: the template's, or the machine's travel; gap_mm: None: its margin.
+
+    common_lines: facing edges of neighbours are cut once; the gap is the kerf of the template's operations.
+    """
 
     sheet_mm: tuple[float, float] | None = None
     gap_mm: float | None = None
     turn: str = "half"
     seeds: int = 2
     attempts: int = 4
+    common_lines: bool = False
 
 
 @dataclass(frozen=True)
@@ -211,6 +215,7 @@ class _Batch:
             turn=told.turn,
             gap_mm=told.gap_mm,
             sheet_mm=told.sheet_mm and list(told.sheet_mm),
+            common_lines=told.common_lines,
         )
 
     def _make(self, sheets: Sequence[_Sheet]) -> None:

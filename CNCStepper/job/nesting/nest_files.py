@@ -21,7 +21,6 @@ from CNCStepper.atomic_file import write_whole
 from CNCStepper.drawing.drawing import Attributes, Chain, Drawing
 from CNCStepper.drawing.writers.dxf_writer import dxf_bytes
 from CNCStepper.geometry.curve import from_points
-from CNCStepper.job.nesting.nest_picture import save_nest_picture
 from CNCStepper.job.nesting.order_file import Order
 from CNCStepper.job.nesting.shared_cuts import block_chains, on_sheet, part_chains, shared_cuts
 from CNCStepper.nesting.common_lines import CommonCuts
@@ -62,6 +61,8 @@ def write_nest(
 
     shared: the common lines of each sheet, where they are known.
     """
+    from CNCStepper.job.nesting.nest_picture import save_nest_picture  # a third of the start of a worker
+
     folder.mkdir(parents=True, exist_ok=True)
     shared = shared_cuts(order, layout) if shared is None else shared
     paths = []
@@ -105,7 +106,8 @@ def sheet_drawing(order: Order, layout: Layout, number: int, cuts: CommonCuts | 
     """Return the drawing of a sheet: its rim, and the chains of its parts; cuts: what the parts share."""
     cuts, lie = cuts or CommonCuts(), on_sheet(layout, number)
     rim = _rings(used_outline(order, layout, number))
-    return Drawing((*rim, *part_chains(order, lie, cuts), *block_chains(order, lie, cuts)))
+    chains = (*rim, *part_chains(order, lie, cuts), *block_chains(order, lie, cuts))
+    return Drawing(chains, kerf_mm=order.kerf_mm if cuts.blocks else None)
 
 
 def remnant_drawing(remnant: Polygon) -> Drawing:

@@ -77,13 +77,15 @@ def part_chains(order: Order, lie: Sequence[Placement], cuts: CommonCuts) -> Ite
         yield from (placed_chain(chain, placement) for each, chain in enumerate(own) if each != outline)
 
 
-def block_chains(order: Order, lie: Sequence[Placement], cuts: CommonCuts) -> Iterator[Chain]:
-    """Yield the outlines of the blocks, and their lines on the layer COMMON."""
+def block_chains(
+    order: Order, lie: Sequence[Placement], cuts: CommonCuts, lines: Attributes | None = COMMON
+) -> Iterator[Chain]:
+    """Yield the outlines of the blocks, and their lines on the layer COMMON; lines: None: on that of the outlines."""
     for block in cuts.blocks:
         own = order.chains[lie[block.parts[0]].item]
         attributes = own[outline_number(own)].attributes
         yield from (Chain(loop, attributes) for loop in block.loops)
-        yield from (Chain(line, COMMON) for line in block.lines)
+        yield from (Chain(line, lines or attributes) for line in block.lines)
 
 
 def placed_chain(chain: Chain, placement: Placement) -> Chain:

@@ -25,7 +25,7 @@ from CNCStepper.nesting.strips import StripPacker, StripPart, StripPlace
 
 NEEDS = ("spyrrow",)
 MODULE = "CNCStepper.workers.strip_packing"
-EXPLORE_SHARE = 0.8  # of the time; the rest compresses what was found
+COMPRESS_SHARE = 0.2  # of the time, as spyrrow itself divides it; the rest explores
 LEAST_S = 1  # of each phase: spyrrow counts whole seconds
 LATE_S = 0.3  # of the budget, for the start of the process and its last answer
 LOOK_EVERY_S = 0.1
@@ -38,11 +38,11 @@ def strip_packer() -> StripPacker | None:
 
 def pack_strip(parts: Sequence[StripPart], height_mm: float, budget: Budget, seed: int) -> list[StripPlace] | None:
     """Return the shortest strip found until the budget ends; None where the process found none or was ended."""
-    explore_s = max(LEAST_S, round((budget.left_s - LATE_S) * EXPLORE_SHARE))
+    explore_s, compress_s = phases_s(budget.left_s - LATE_S)
     question = {
         "height_mm": height_mm,
         "explore_s": explore_s,
-        "compress_s": max(LEAST_S, int(budget.left_s - LATE_S - explore_s)),
+        "compress_s": compress_s,
         "seed": seed,
         "threads": os.cpu_count() or 1,
         "parts": [_part(part) for part in parts],
@@ -51,6 +51,12 @@ def pack_strip(parts: Sequence[StripPart], height_mm: float, budget: Budget, see
     if answer is None:
         return None
     return [StripPlace(parts[number].item, x, y, _allowed(parts[number], turn)) for number, x, y, turn in answer]
+
+
+def phases_s(time_s: float) -> tuple[int, int]:
+    """Return the whole seconds of exploration and compression; what is left of a second explores."""
+    compress_s = max(LEAST_S, int(time_s * COMPRESS_SHARE))
+    return max(LEAST_S, int(time_s) - compress_s), compress_s
 
 
 def _part(part: StripPart) -> dict[str, Any]:

@@ -8,14 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError, Place
-from CNCStepper.workbench.document.sheet_drawings import SheetWork, drawings_of
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.document.sheet_drawings import SheetWork, make_now
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.features.drawings.drawing import Drawing, path_of
-from CNCStepper.workbench.features.drawings.nest import asked_of, key_of, take_answer
+from CNCStepper.workbench.features.drawings.nest import asked_of
 
 SHEET = re.compile(r"sheet-(\d+)\.dxf")
 BETWEEN_SHEETS_MM = 50.0
@@ -37,13 +36,10 @@ class Nesting(SheetWork):
         super().__init__(obj, done, failed, share)
         self.answer: dict[str, Any] = {}
         self._verb, self._more = verb, more
-        self._made_of = ""
 
-    def question(self) -> dict[str, Any]:
+    def asked(self) -> dict[str, Any]:
         """Return what the process is asked; raises CNCStepperError for a part or a value that is no good."""
-        asked = asked_of(self.obj, self._verb, **self._more)
-        self._made_of = key_of(self.obj)
-        return {"nest": asked}
+        return {"nest": asked_of(self.obj, self._verb, **self._more)}
 
     def stop(self) -> None:
         """Let the search end with the best so far."""
@@ -54,11 +50,10 @@ class Nesting(SheetWork):
     def take(self, answer: dict[str, Any]) -> None:
         """Keep what was written, and read the sheets; all else is only told."""
         self.answer = answer
-        if not answer["written"]:
+        if answer["written"]:
+            super().take(answer)
+        else:
             self.finish()
-            return
-        take_answer(self.obj, answer, self._made_of)
-        self.read(answer["sheets"])
 
     def finish(self) -> None:
         """Lay the drawings side by side, and tell that all is there."""
@@ -88,14 +83,6 @@ def lay_out(obj: Any, answer: dict[str, Any]) -> None:
 def nest_now(obj: Any, verb: str, **more: Any) -> None:
     """Search or write at once and read the drawings, for scripts; raises CNCStepperError, and then changes nothing."""
     from CNCStepper.job.nesting.nest_question import answer_of
-    from CNCStepper.workbench.document.drawing_files import read_now
 
-    try:
-        answer = answer_of(asked_of(obj, verb, **more))
-    except CNCStepperError as error:
-        raise error.at(Place(obj.Label)) from error
-    for drawing in drawings_of(obj, [Path(path) for path in answer["sheets"]]):
-        read_now(drawing)
-    take_answer(obj, answer, key_of(obj))
-    lay_out(obj, answer)
+    lay_out(obj, make_now(obj, lambda: answer_of(asked_of(obj, verb, **more))))
     obj.Proxy.execute(obj)

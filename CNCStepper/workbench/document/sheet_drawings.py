@@ -10,8 +10,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.document.drawing_files import Reading
+from CNCStepper.errors import CNCStepperError, Place
+from CNCStepper.workbench.document.drawing_files import Reading, read_now
 from CNCStepper.workbench.document.drawing_work import DrawingWork
 from CNCStepper.workbench.features.base import edit, proxy_type
 from CNCStepper.workbench.features.drawings.drawing import Drawing, path_of
@@ -30,6 +30,7 @@ class SheetWork(DrawingWork):
         super().__init__(obj, done, failed, share)
         self._to_read: list[Any] = []
         self._reading: Reading | None = None
+        self._made_of = ""
 
     def end(self) -> None:
         """Make nothing any more."""
@@ -37,9 +38,20 @@ class SheetWork(DrawingWork):
             self._reading.end()
         super().end()
 
-    def read(self, sheets: list[str]) -> None:
-        """Read the files of the sheets into the group, then finish."""
-        self._to_read = drawings_of(self.obj, [Path(path) for path in sheets])
+    def question(self) -> dict[str, Any]:
+        """Return what the process is asked, and note of which sources and values it is."""
+        asked = self.asked()
+        self._made_of = self.obj.Proxy.key_of(self.obj)
+        return asked
+
+    def asked(self) -> dict[str, Any]:
+        """Return what the process is asked; raises CNCStepperError for a source or a value that is no good."""
+        raise NotImplementedError
+
+    def take(self, answer: dict[str, Any]) -> None:
+        """Keep what was made, and read the files of the sheets into the group."""
+        self.obj.Proxy.keep(self.obj, answer, self._made_of)
+        self._to_read = drawings_of(self.obj, [Path(path) for path in answer["sheets"]])
         self._read_next()
 
     def _read_next(self) -> None:
@@ -77,3 +89,18 @@ def drawings_of(obj: Any, sheets: list[Path]) -> list[Any]:
             obj.Document.removeObject(each.Name)
         obj.Document.removeObject(gone.Name)
     return found
+
+
+def make_now(obj: Any, answer_now: Callable[[], dict[str, Any]]) -> dict[str, Any]:
+    """Take what `answer_now` makes, read the drawings, and return it; raises CNCStepperError, and then changes nothing.
+
+    For scripts: the window waits for a process instead (`SheetWork`).
+    """
+    try:
+        answer = answer_now()
+    except CNCStepperError as error:
+        raise error.at(Place(obj.Label)) from error
+    for drawing in drawings_of(obj, [Path(path) for path in answer["sheets"]]):
+        read_now(drawing)
+    obj.Proxy.keep(obj, answer, obj.Proxy.key_of(obj))
+    return answer

@@ -8,9 +8,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError, Place
-from CNCStepper.workbench.document.sheet_drawings import SheetWork, drawings_of
-from CNCStepper.workbench.features.drawings.slices import asked_of, key_of, take_answer
+from CNCStepper.errors import CNCStepperError
+from CNCStepper.workbench.document.sheet_drawings import SheetWork, make_now
+from CNCStepper.workbench.features.drawings.slices import asked_of
 
 TEMPORARY = "cncstepper-slices-"  # how folders begin that hold the solid for the process
 
@@ -27,18 +27,10 @@ class Slicing(SheetWork):
     ):
         super().__init__(obj, done, failed, share)
         self._temporary = tempfile.TemporaryDirectory(prefix=TEMPORARY)
-        self._made_of = ""
 
-    def question(self) -> dict[str, Any]:
+    def asked(self) -> dict[str, Any]:
         """Return what the process is asked; raises JobError where there is no solid, no folder, or a bad value."""
-        question = {"slices": asked_of(self.obj, Path(self._temporary.name))}
-        self._made_of = key_of(self.obj)
-        return question
-
-    def take(self, answer: dict[str, Any]) -> None:
-        """Keep what was made, and read the sheets."""
-        take_answer(self.obj, answer, self._made_of)
-        self.read(answer["sheets"])
+        return {"slices": asked_of(self.obj, Path(self._temporary.name))}
 
     def close(self) -> None:
         """Take no answer any more, and take the solid away."""
@@ -49,14 +41,7 @@ class Slicing(SheetWork):
 def slice_now(obj: Any) -> None:
     """Slice and nest at once and read the drawings, for scripts; raises CNCStepperError, and then changes nothing."""
     from CNCStepper.job.slicing.make_slices import answer_of
-    from CNCStepper.workbench.document.drawing_files import read_now
 
-    try:
-        with tempfile.TemporaryDirectory(prefix=TEMPORARY) as folder:
-            answer = answer_of(asked_of(obj, Path(folder)))
-    except CNCStepperError as error:
-        raise error.at(Place(obj.Label)) from error
-    for drawing in drawings_of(obj, [Path(path) for path in answer["sheets"]]):
-        read_now(drawing)
-    take_answer(obj, answer, key_of(obj))
+    with tempfile.TemporaryDirectory(prefix=TEMPORARY) as folder:
+        make_now(obj, lambda: answer_of(asked_of(obj, Path(folder))))
     obj.Proxy.execute(obj)

@@ -50,6 +50,7 @@ def edit(obj: Any) -> None:
         raise
 
 
+YOUNG = 1  # generations 0 and 1 of the collector
 _collected: list[bool] = []
 
 
@@ -57,9 +58,10 @@ def _leave_what_is_loaded() -> None:
     """Exclude all that is loaded from Python's garbage collections; again changes nothing.
 
     A full collection looks at every container of the process, some 300 000 in FreeCAD's window, which takes longer
-    than a key may. Nearly all of them stay for the whole session: modules, classes, functions.
+    than a key may. Nearly all of them stay for the whole session: modules, classes, functions. What is young is
+    collected before; a full collection would keep the panel waiting for as long.
     """
     if not _collected:
         _collected.append(True)
-        gc.collect()
+        gc.collect(YOUNG)
         gc.freeze()

@@ -10,7 +10,8 @@ from PySide import QtGui
 from CNCStepper import text_json
 from CNCStepper.workbench.document.slice_files import Slicing
 from CNCStepper.workbench.features.base import value_of
-from CNCStepper.workbench.features.drawings.slices import MADE, is_solid, is_stale
+from CNCStepper.workbench.features.drawings.made_files import is_stale
+from CNCStepper.workbench.features.drawings.slices import MADE, is_solid
 from CNCStepper.workbench.panels.background_panel import BackgroundPanel, button_row
 from CNCStepper.workbench.panels.fields import NAME, WARNING_COLOUR, ChoiceField, WorkNote, note_label
 from CNCStepper.workbench.panels.object_form import Editor

@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, fields
-from pathlib import Path
 from typing import Any
 
 from CNCStepper import text_json
@@ -22,22 +21,19 @@ from CNCStepper.workbench.features.base import (
     DISTANCE,
     ENUMERATION,
     FLOAT,
-    HIDDEN,
     INTEGER,
-    STALE,
     TEXT,
-    Feature,
     Property,
     drawing_pairs,
     values,
 )
+from CNCStepper.workbench.features.drawings.made_files import SheetGroup, folder_of
 from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.services.translation import later
 
 PARTS, SHEETS, MADE = later("Parts"), later("Sheets of material"), later("What was made")
 TURNS: dict[str, Any] = {"fixed": [0.0], "half": [0.0, 180.0], "quarter": [0.0, 90.0, 180.0, 270.0], "any": "any"}
 GRAINS = {"none": None, "x": 0.0, "y": 90.0}  # of the grain, degrees
-OF_WINDOW = ("folder", "parts", "part_values", "remnants")  # what is told of them apart
 DECIMALS = 5  # of the figures by which a drawing is known again
 TOLERANCE_MM = 0.002  # in which curved lines of parts become lines and arcs
 
@@ -53,7 +49,7 @@ class PartValues:
     thickness_mm: float = 0.0
 
 
-class Nest(Feature):
+class Nest(SheetGroup):
     """The proxy of a nest: a group of the drawings of its sheets."""
 
     Type = "CNCStepper_Nest"
@@ -89,21 +85,23 @@ class Nest(Feature):
         Property("report", "Report", TEXT, MADE, later("Report"), later("What was made"), "", output=True),
     )  # fmt: skip
 
-    def add_properties(self, obj: Any) -> None:
-        """Add what `obj` lacks; what only the object itself reads is not shown."""
-        super().add_properties(obj)
-        for name in ("PartValues", "Placements", "MadeOf", "Report"):
-            obj.setEditorMode(name, HIDDEN)
+    HIDDEN_NAMES = ("PartValues", "Placements", "MadeOf", "Report")
+    CHANGED = ("a part or a value has changed since the parts were nested", "nest them again")
+    OF_WINDOW = ("folder", "parts", "part_values", "remnants")
 
-    def given(self, found: dict[str, Any]) -> dict[str, Any]:
-        """Return the figures among an object's values."""
-        return {key: value for key, value in found.items() if key not in OF_WINDOW}
+    def key_of(self, obj: Any) -> str:
+        """Return a text that is the same for the same parts, remnants and values."""
+        drawn = [[figures_of(each) for each in group] for group in (obj.Parts, obj.Remnants)]
+        wanted = [asdict(each) for each in part_values(obj)]
+        given = {key: value for key, value in self.given(values(obj)).items() if key != "time_s"}
+        return json.dumps({"drawn": drawn, "wanted": wanted, **given}, sort_keys=True)
 
-    def make(self, obj: Any) -> None:
-        """Say why the sheets are not those of the parts; they stay as they were made."""
-        if obj.MadeOf and is_stale(obj):
-            what, advice = "a part or a value has changed since the parts were nested", "nest them again"
-            raise JobError(STALE, what, advice=advice)
+    def keep(self, obj: Any, answer: dict[str, Any], made_of: str) -> None:
+        """Keep what was made of the parts and the values that `made_of` holds."""
+        obj.SheetCount, obj.Placed, obj.Missing = len(answer["sheets"]), len(answer["parts"]), answer["missing"]
+        obj.Placements = json.dumps(answer["parts"])
+        told = {key: answer[key] for key in ("density", "unplaced", "saving")}
+        obj.Report, obj.MadeOf = text_json.dumps(told), made_of
 
 
 def part_values(obj: Any) -> list[PartValues]:
@@ -137,14 +135,6 @@ def is_part(obj: Any) -> bool:
     return bool(shapes) and any(shape.Edges for shape in shapes) and not any(shape.Solids for shape in shapes)
 
 
-def key_of(obj: Any) -> str:
-    """Return a text that is the same for the same parts, remnants and values."""
-    drawn = [[figures_of(each) for each in group] for group in (obj.Parts, obj.Remnants)]
-    wanted = [asdict(each) for each in part_values(obj)]
-    given = {key: value for key, value in obj.Proxy.given(values(obj)).items() if key != "time_s"}
-    return json.dumps({"drawn": drawn, "wanted": wanted, **given}, sort_keys=True)
-
-
 def figures_of(part: Any) -> list[list[float]]:
     """Return the length and the middle of each edge of a part, by which a change of its outline is seen.
 
@@ -157,21 +147,6 @@ def figures_of(part: Any) -> list[list[float]]:
     left, low = min(middle.x for middle in middles), min(middle.y for middle in middles)
     rows = ((edge.Length, middle.x - left, middle.y - low) for edge, middle in zip(edges, middles, strict=True))
     return [[round(float(figure), DECIMALS) + 0.0 for figure in row] for row in rows]
-
-
-def is_stale(obj: Any) -> bool:
-    """Return whether the sheets are not those of the parts and the values."""
-    return bool(obj.MadeOf != key_of(obj))
-
-
-def folder_of(obj: Any) -> Path:
-    """Return the folder of the files; raises JobError where neither the object nor the document names one."""
-    if obj.Folder:
-        return Path(obj.Folder).expanduser()
-    if not obj.Document.FileName:
-        what, advice = "there is no folder for the drawings", "name one, or save the document"
-        raise JobError("nest-folder", what, advice=advice)
-    return Path(obj.Document.FileName).with_suffix("") / obj.Name
 
 
 def asked_of(obj: Any, verb: str, **more: Any) -> dict[str, Any]:
@@ -240,11 +215,3 @@ def packed_drawing(part: Any) -> dict[str, Any]:
             for each in found
         ]
     )
-
-
-def take_answer(obj: Any, answer: dict[str, Any], made_of: str) -> None:
-    """Keep what was made of the parts and the values that `made_of` holds."""
-    obj.SheetCount, obj.Placed, obj.Missing = len(answer["sheets"]), len(answer["parts"]), answer["missing"]
-    obj.Placements = json.dumps(answer["parts"])
-    told = {key: answer[key] for key in ("density", "unplaced", "saving")}
-    obj.Report, obj.MadeOf = text_json.dumps(told), made_of

@@ -19,23 +19,20 @@ from CNCStepper.workbench.features.base import (
     DISTANCE,
     ENUMERATION,
     FLOAT,
-    HIDDEN,
     INTEGER,
     LINK,
-    STALE,
     TEXT,
-    Feature,
     Property,
     values,
 )
+from CNCStepper.workbench.features.drawings.made_files import SheetGroup, folder_of
 from CNCStepper.workbench.services.translation import later
 
 SOLID, MATERIAL, MADE = later("Solid"), later("Sheets of material"), later("What was made")
-OF_WINDOW = ("solid", "folder")  # what the core is not asked about
 DECIMALS = 6  # of the figures by which a solid is known again
 
 
-class Slices(Feature):
+class Slices(SheetGroup):
     """The proxy of a stack of sheets: a group of the drawings of its nested sheets."""
 
     Type = "CNCStepper_Slices"
@@ -62,22 +59,27 @@ class Slices(Feature):
         Property("report", "Report", TEXT, MADE, later("Report"), later("What was made"), "", output=True),
     )  # fmt: skip
 
-    def add_properties(self, obj: Any) -> None:
-        """Add what `obj` lacks; what only the object itself reads is not shown."""
-        super().add_properties(obj)
-        for name in ("MadeOf", "Report"):
-            obj.setEditorMode(name, HIDDEN)
+    CHANGED = ("the solid or a value has changed since the sheets were made", "slice it again")
+    OF_WINDOW = ("solid", "folder")
 
-    def given(self, found: dict[str, Any]) -> dict[str, Any]:
-        """Return the form of the slices among an object's values."""
-        return {key: value for key, value in found.items() if key not in OF_WINDOW}
+    def key_of(self, obj: Any) -> str:
+        """Return a text that is the same for the same solid and the same values."""
+        solid = obj.Solid
+        shape = getattr(solid, "Mesh", None) or solid.Shape
+        box = shape.BoundBox
+        sides = (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax, shape.Volume, shape.Area)
+        figures = [round(float(side), DECIMALS) + 0.0 for side in sides]
+        return json.dumps({"solid": figures, **self.given(values(obj))}, sort_keys=True)
 
     def make(self, obj: Any) -> None:
         """Say why the sheets are not those of the solid; they stay as they were made."""
         require_solid(obj)
-        if obj.MadeOf and is_stale(obj):
-            what, advice = "the solid or a value has changed since the sheets were made", "slice it again"
-            raise JobError(STALE, what, advice=advice)
+        super().make(obj)
+
+    def keep(self, obj: Any, answer: dict[str, Any], made_of: str) -> None:
+        """Keep what was made of the solid and the values that `made_of` holds."""
+        obj.SliceCount, obj.SheetCount = answer["slices"], len(answer["sheets"])
+        obj.Report, obj.MadeOf = text_json.dumps(answer), made_of
 
 
 def require_solid(obj: Any) -> Any:
@@ -107,31 +109,6 @@ def is_solid(obj: Any) -> bool:
     return bool(obj.isDerivedFrom("Part::Feature") and obj.Shape.Solids)
 
 
-def key_of(obj: Any) -> str:
-    """Return a text that is the same for the same solid and the same values."""
-    solid = obj.Solid
-    shape = getattr(solid, "Mesh", None) or solid.Shape
-    box = shape.BoundBox
-    sides = (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax, shape.Volume, shape.Area)
-    figures = [round(float(side), DECIMALS) + 0.0 for side in sides]
-    return json.dumps({"solid": figures, **obj.Proxy.given(values(obj))}, sort_keys=True)
-
-
-def is_stale(obj: Any) -> bool:
-    """Return whether the sheets are not those of the solid and the values."""
-    return bool(obj.MadeOf != key_of(obj))
-
-
-def folder_of(obj: Any) -> Path:
-    """Return the folder of the files; raises JobError where neither the object nor the document names one."""
-    if obj.Folder:
-        return Path(obj.Folder).expanduser()
-    if not obj.Document.FileName:
-        what, advice = "there is no folder for the drawings", "name one, or save the document"
-        raise JobError("slices-folder", what, advice=advice)
-    return Path(obj.Document.FileName).with_suffix("") / obj.Name
-
-
 def asked_of(obj: Any, folder: Path) -> dict[str, Any]:
     """Return what the process is asked, and write the solid into a folder for it, a body exactly, a mesh as triangles.
 
@@ -150,9 +127,3 @@ def asked_of(obj: Any, folder: Path) -> dict[str, Any]:
     else:
         solid.Shape.exportBrep(str(path))
     return {"solid": str(path), **asked}
-
-
-def take_answer(obj: Any, answer: dict[str, Any], made_of: str) -> None:
-    """Keep what was made of the solid and the values that `made_of` holds."""
-    obj.SliceCount, obj.SheetCount = answer["slices"], len(answer["sheets"])
-    obj.Report, obj.MadeOf = text_json.dumps(answer), made_of

@@ -23,22 +23,20 @@ from CNCStepper.workbench.features.base import (
     INTEGER,
     JOB,
     LINK,
-    STALE,
     TEXT,
-    Feature,
     Property,
     proxy_type,
     values,
 )
+from CNCStepper.workbench.features.drawings.made_files import MadeFiles
 from CNCStepper.workbench.features.program import Program, fingerprint, program_of_file
 from CNCStepper.workbench.services.translation import later
 
 PROGRAMS, SURFACE, MADE = later("Programs"), later("Work surface"), later("What was made")
-HIDDEN_NAMES = ("Files", "Counts", "Placements", "MadeOf")
 FIGURES = ("sheet_x_mm", "sheet_y_mm", "gap_mm", "tool_mm", "turn")
 
 
-class Arrangement(Feature):
+class Arrangement(MadeFiles):
     """The proxy of an arrangement."""
 
     Type = "CNCStepper_Arrangement"
@@ -65,17 +63,19 @@ class Arrangement(Feature):
                  output=True),
     )  # fmt: skip
 
-    def add_properties(self, obj: Any) -> None:
-        """Add what `obj` lacks; what only the object itself reads is not shown."""
-        super().add_properties(obj)
-        for name in HIDDEN_NAMES:
-            obj.setEditorMode(name, 2)
+    HIDDEN_NAMES = ("Files", "Counts", "Placements", "MadeOf")
+    CHANGED = ("a program or a value has changed since they were arranged", "arrange them again")
 
-    def make(self, obj: Any) -> None:
-        """Say why the program is not that of the others; it stays as it was made."""
-        if obj.MadeOf and is_stale(obj):
-            what, advice = "a program or a value has changed since they were arranged", "arrange them again"
-            raise JobError(STALE, what, advice=advice)
+    def key_of(self, obj: Any) -> str:
+        """Return a text that is the same for the same programs, places and values."""
+        told = [
+            list(file_stamp(str(each))) if isinstance(each, Path) else fingerprint(program_file.load(each))
+            for each in sources(obj)
+        ]
+        found = values(obj)
+        machine = getattr(obj.Job, "Machine", "")
+        places = json.loads(obj.Placements)
+        return json.dumps([told, counts_of(obj), [found[key] for key in FIGURES], machine, places], sort_keys=True)
 
 
 def sources(obj: Any) -> list[Any]:
@@ -107,23 +107,6 @@ def name_of(source: Any) -> str:
 def is_source(obj: Any) -> bool:
     """Return whether an object has a program of its own."""
     return proxy_type(obj) in (JOB, Program.Type) and bool(obj.Program)
-
-
-def key_of(obj: Any) -> str:
-    """Return a text that is the same for the same programs, places and values."""
-    told = [
-        list(file_stamp(str(each))) if isinstance(each, Path) else fingerprint(program_file.load(each))
-        for each in sources(obj)
-    ]
-    found = values(obj)
-    machine = getattr(obj.Job, "Machine", "")
-    places = json.loads(obj.Placements)
-    return json.dumps([told, counts_of(obj), [found[key] for key in FIGURES], machine, places], sort_keys=True)
-
-
-def is_stale(obj: Any) -> bool:
-    """Return whether the program is not that of the others, their places and the values."""
-    return bool(obj.MadeOf != key_of(obj))
 
 
 def file_of(obj: Any) -> Path:
@@ -173,4 +156,4 @@ def take_answer(obj: Any, answer: dict[str, Any]) -> None:
     """Keep where the copies lie, and load the program that was written for the machine of the job."""
     obj.Placed, obj.Placements = len(answer["parts"]), json.dumps(answer["parts"])
     program_of_file(obj.Job, file_of(obj))
-    obj.MadeOf = key_of(obj)
+    obj.MadeOf = obj.Proxy.key_of(obj)

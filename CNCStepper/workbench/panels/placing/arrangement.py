@@ -11,12 +11,12 @@ from PySide import QtGui
 
 from CNCStepper.job.nesting import nest_data
 from CNCStepper.workbench.document.arrange_files import Arranging
+from CNCStepper.workbench.features.drawings.made_files import is_stale
 from CNCStepper.workbench.features.programs.arrangement import (
     MADE,
     PROGRAMS,
     counts_of,
     is_source,
-    is_stale,
     name_of,
     set_sources,
     sources,

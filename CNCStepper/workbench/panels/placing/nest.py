@@ -14,6 +14,7 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.job.nesting import nest_data
 from CNCStepper.nesting.nesting_model import MOST_PARTS
 from CNCStepper.workbench.document.nest_files import BETWEEN_SHEETS_MM, Nesting
+from CNCStepper.workbench.features.drawings.made_files import is_stale
 from CNCStepper.workbench.features.drawings.nest import (
     GRAINS,
     MADE,
@@ -22,7 +23,6 @@ from CNCStepper.workbench.features.drawings.nest import (
     TURNS,
     PartValues,
     is_part,
-    is_stale,
     part_values,
     set_parts,
 )

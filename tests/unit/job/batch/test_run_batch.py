@@ -59,6 +59,20 @@ def test_parts_of_one_stock_are_nested_and_priced(tmp_path: Path) -> None:
     assert "EUR" in (tmp_path / "out" / "rows.csv").read_text("utf-8")
 
 
+def test_facing_edges_of_an_order_are_cut_once(tmp_path: Path) -> None:
+    order = write_order(tmp_path / "in", [*NESTED[:1], *NESTED[2:]])
+    shared = NestOptions(sheet_mm=(90.0, 60.0), seeds=1, attempts=2, common_lines=True)
+    apart = made(order, tmp_path / "apart", WorkersHere(), NestOptions(sheet_mm=(90.0, 60.0), seeds=1, attempts=2))
+    result = made(order, tmp_path / "shared", WorkersHere(), shared)
+    assert result.is_whole, [*result.errors.values(), *(sheet.error for sheet in result.sheets)]
+    saved_m, saved = (
+        total_figures(apart).metres - total_figures(result).metres,
+        total_figures(apart).pierces - total_figures(result).pierces,
+    )
+    assert saved_m > 0.02 and saved >= 1, "five squares of 60 mm have edges in common"
+    assert "m of cut and" in (tmp_path / "shared" / "order.txt").read_text("utf-8")
+
+
 def test_a_zero_in_the_middle_keeps_parts_on_their_sheet(tmp_path: Path) -> None:
     result = made(write_order(tmp_path / "in", NESTED[:1], "top-centre"), tmp_path / "out", WorkersHere(), SMALL)
     assert result.is_whole
