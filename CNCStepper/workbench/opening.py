@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.workbench import commands, dock, first_run
+from CNCStepper.workbench import commands, dock, first_run, preferences
 from CNCStepper.workbench.installation import open_installation
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.messages import NAME, guarded
@@ -23,6 +23,7 @@ def first(workbench: Any) -> None:
     workbench.appendToolbar(LATHE, turning)
     workbench.appendMenu(NAME, menu)
     workbench.appendMenu([NAME, LATHE], turning)
+    preferences.register()
     tree_tooltips.install()
 
 

@@ -18,6 +18,8 @@ before. Each line on standard output is about the newest:
     {"key": KEY, "answer": {"figures" ... or "texts" ...}}               of a PART {"turned_cut": job} or
                                                                           {"turned_program": job, "title": text}: a
                                                                           lathe's, as job/turning/turning_transfer.py
+    {"key": KEY, "answer": {"written": path}}                             of a PART {"sheet": {...}, "of": a PART of a
+                                                                          program}: job/files/program_sheet.py
     {"key": KEY, "answer": {"curves": {...}}}                             of a PART {"text": form, "folder": path}:
                                                                           columns, job/drawings/imported_drawing.py
     {"key": KEY, "answer": {"error": {...}}}                      of a part that is refused
@@ -78,6 +80,7 @@ class Answers:
                 "fit": self._fits,
                 "cut": self._cut,
                 "time_of": self._time,
+                "sheet": self._sheet,
                 "text": self._text,
                 "program": self._programs,
                 "turned_cut": self._turned_cut,
@@ -114,6 +117,16 @@ class Answers:
         if "turned_cut" in asked:
             return {"time_s": last_time_s(*job_from(asked["turned_cut"]))}
         return {"time_s": self._first_cut(asked).time_s(machine_from(asked["machine"]))}
+
+    def _sheet(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.job.cut_transfer import job_from, machine_from
+        from CNCStepper.job.files.program_sheet import write_program_sheet
+
+        tell({"stage": "write"})
+        machine = machine_from(part["of"]["machine"])
+        job = job_from(part["of"]["program"], part["of"]["machine"])
+        times_s = [self._cut_once(cycle, job.setup(cycle)).time_s(machine) for cycle in job.operation]
+        return {"written": write_program_sheet(part["sheet"], job, machine, times_s)}
 
     def _first_cut(self, part: dict[str, Any]) -> Any:
         """Return the cut of the first operation of the job that a part has."""

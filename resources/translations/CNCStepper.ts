@@ -4847,6 +4847,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Choose…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Chuck</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5384,6 +5388,10 @@
         </message>
         <message>
             <source>Distances</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5952,6 +5960,10 @@
         </message>
         <message>
             <source>Folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Folder of programs</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7079,6 +7091,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Jobs and programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jobs and programs of the document</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7796,6 +7812,10 @@
         </message>
         <message>
             <source>New job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>New jobs begin with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8851,6 +8871,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Reports ({0})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Resolution</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9267,6 +9291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Show the first steps when the workbench opens</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9572,6 +9600,10 @@
         </message>
         <message>
             <source>Stock to leave at the wall for another operation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Stock under a drawing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10683,6 +10715,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Together {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10880,6 +10916,10 @@
         </message>
         <message>
             <source>Units</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Units of fields, the decimal sign and colours of paths are FreeCAD's own preferences.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11620,6 +11660,10 @@
         </message>
         <message>
             <source>bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>beside the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30005,6 +30049,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Rectangular pocket</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Report</name>
+        <message>
+            <source>Report…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Writes the job on paper: its operations with tool and time, its path and its program</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

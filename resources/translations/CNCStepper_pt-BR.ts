@@ -4847,6 +4847,10 @@
             <translation>Escolha o que a máquina faz e a máquina mais parecida com a sua.</translation>
         </message>
         <message>
+            <source>Choose…</source>
+            <translation>Escolher…</translation>
+        </message>
+        <message>
             <source>Chuck</source>
             <translation>Placa</translation>
         </message>
@@ -5385,6 +5389,10 @@
         <message>
             <source>Distances</source>
             <translation>Distâncias</translation>
+        </message>
+        <message>
+            <source>Document</source>
+            <translation>Documento</translation>
         </message>
         <message>
             <source>Does</source>
@@ -5953,6 +5961,10 @@
         <message>
             <source>Folder</source>
             <translation>Pasta</translation>
+        </message>
+        <message>
+            <source>Folder of programs</source>
+            <translation>Pasta dos programas</translation>
         </message>
         <message>
             <source>Follow only the selected lines</source>
@@ -7079,6 +7091,10 @@
             <translation>Trabalhos ({0})</translation>
         </message>
         <message>
+            <source>Jobs and programs</source>
+            <translation>Trabalhos e programas</translation>
+        </message>
+        <message>
             <source>Jobs and programs of the document</source>
             <translation>Trabalhos e programas do documento</translation>
         </message>
@@ -7797,6 +7813,10 @@
         <message>
             <source>New job</source>
             <translation>Novo trabalho</translation>
+        </message>
+        <message>
+            <source>New jobs begin with</source>
+            <translation>Trabalhos novos começam com</translation>
         </message>
         <message>
             <source>New lathe job</source>
@@ -8851,6 +8871,10 @@
             <translation>Relatório</translation>
         </message>
         <message>
+            <source>Reports ({0})</source>
+            <translation>Relatórios ({0})</translation>
+        </message>
+        <message>
             <source>Resolution</source>
             <translation>Resolução</translation>
         </message>
@@ -9267,6 +9291,10 @@
             <translation>Mostrar o corte</translation>
         </message>
         <message>
+            <source>Show the first steps when the workbench opens</source>
+            <translation>Mostrar os primeiros passos ao abrir a bancada</translation>
+        </message>
+        <message>
             <source>Show the tool's path</source>
             <translation>Mostrar a trajetória</translation>
         </message>
@@ -9573,6 +9601,10 @@
         <message>
             <source>Stock to leave at the wall for another operation</source>
             <translation>O que fica na parede para outra operação tirar</translation>
+        </message>
+        <message>
+            <source>Stock under a drawing</source>
+            <translation>Material sob um desenho</translation>
         </message>
         <message>
             <source>Stop</source>
@@ -10683,6 +10715,10 @@
             <translation>Ao início</translation>
         </message>
         <message>
+            <source>Together</source>
+            <translation>Ao todo</translation>
+        </message>
+        <message>
             <source>Together {0}</source>
             <translation>Ao todo {0}</translation>
         </message>
@@ -10881,6 +10917,10 @@
         <message>
             <source>Units</source>
             <translation>Unidades</translation>
+        </message>
+        <message>
+            <source>Units of fields, the decimal sign and colours of paths are FreeCAD's own preferences.</source>
+            <translation>As unidades dos campos, o sinal decimal e as cores dos caminhos são preferências do próprio FreeCAD.</translation>
         </message>
         <message>
             <source>Unlock</source>
@@ -11621,6 +11661,10 @@
         <message>
             <source>bar</source>
             <translation>barra</translation>
+        </message>
+        <message>
+            <source>beside the document</source>
+            <translation>ao lado do documento</translation>
         </message>
         <message>
             <source>bolt circle</source>
@@ -30028,6 +30072,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Rectangular pocket</source>
             <translation>Bolsão retangular</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Report</name>
+        <message>
+            <source>Report…</source>
+            <translation>Relatório…</translation>
+        </message>
+        <message>
+            <source>Writes the job on paper: its operations with tool and time, its path and its program</source>
+            <translation>Põe o trabalho no papel: suas operações com ferramenta e tempo, seu caminho e seu programa</translation>
         </message>
     </context>
     <context>

@@ -163,7 +163,7 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
     menu = [*LABELS.values()]
     menu[menu.index("Edit program") : menu.index("Edit program")] = ["Duplicate", "Move up", "Move down"]
     setting_up = ["First steps…", "Machine assistant…", "Install packages…", "Help"]
-    assert texts == [[*LABELS.values(), "Help"], [*menu, "Open job…", "Export job…", *setting_up, "Lathe"]]
+    assert texts == [[*LABELS.values(), "Help"], [*menu, "Open job…", "Export job…", "Report…", *setting_up, "Lathe"]]
     assert hand.main(lambda: all(not action(name).icon().isNull() for name in LABELS))
     hand.menu("CNCStepper")
     hand.shot("menu")

@@ -62,6 +62,13 @@ class Planned:
 
 
 @dataclass(frozen=True)
+class Written:
+    """A file was written."""
+
+    path: str
+
+
+@dataclass(frozen=True)
 class TextCurves:
     """The curves of a text."""
 
@@ -73,7 +80,7 @@ class TextCurves:
         return sum(curve.xy.nbytes + curve.bulge.nbytes for curve in self.curves)
 
 
-Answer = Cut | Planned | Programs | Fits | TextCurves | CNCStepperError
+Answer = Cut | Planned | Programs | Fits | TextCurves | Written | CNCStepperError
 
 _answers: OrderedDict[str, Answer] = OrderedDict()
 _paths: dict[str, str] = {}  # by the key of a program's text
@@ -112,7 +119,7 @@ def may_ask(key: str) -> bool:
     return key not in _answers or (key in _failed_s and time.monotonic() - _failed_s[key] > RETRY_S)
 
 
-def answer_to(question: dict[str, Any]) -> Cut | Planned | Programs | Fits | TextCurves | None:
+def answer_to(question: dict[str, Any]) -> Cut | Planned | Programs | Fits | TextCurves | Written | None:
     """Return what is known of a question, None where nothing is; raises the CNCStepperError that refused it."""
     answer = known(key_of(question))
     if isinstance(answer, CNCStepperError):
@@ -172,6 +179,8 @@ def _answer(content: dict[str, Any]) -> Answer:
         return TextCurves(tuple(unpacked_curves(content["curves"])))
     if "texts" in content:
         return Programs(tuple((name, text) for name, text in content["texts"]), tuple(content["paths"]))
+    if "written" in content:
+        return Written(content["written"])
     if "time_s" in content:
         return Planned(content["time_s"])
     return Cut(dict(content["figures"]), tuple(content["warnings"]))

@@ -24,7 +24,7 @@ def register() -> tuple[list[str], list[str], list[str]]:
     from CNCStepper.workbench.commands.first_steps import FirstSteps
     from CNCStepper.workbench.commands.help import Help
     from CNCStepper.workbench.commands.job import ImportTools, NewJob
-    from CNCStepper.workbench.commands.job_files import ExportJob, OpenJob
+    from CNCStepper.workbench.commands.job_files import ExportJob, OpenJob, Report
     from CNCStepper.workbench.commands.machines import Assistant, Letters, Library, Machines
     from CNCStepper.workbench.commands.packages import Install
     from CNCStepper.workbench.commands.program import (
@@ -44,7 +44,7 @@ def register() -> tuple[list[str], list[str], list[str]]:
     sheets = _made(operations.SHEETS)
     program = (EditProgram(), OpenProgram(), SaveProgram(), Arrange(), Simulate(), Send())
     machine = (*program, Controller(), Machines(), Library(), Letters())
-    order, files = _made(ORDERING), (OpenJob(), ExportJob())
+    order, files = _made(ORDERING), (OpenJob(), ExportJob(), Report())
     setting_up, manual = (FirstSteps(), Assistant(), Install()), (Help(),)
     turning = _made(TURNING)
     for command in (

@@ -7,7 +7,7 @@ from typing import Any
 
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench.commands.create_object import create, labelled
-from CNCStepper.workbench.document import default_values, targets
+from CNCStepper.workbench.document import default_values, preferred_values, targets
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
@@ -38,8 +38,8 @@ def _job(document: Any) -> Any:
     from CNCStepper.workbench import api
     from CNCStepper.workbench.viewproviders.job import previews
 
-    job = labelled(api.new_job(document, **_stock()), tr("Job"))
-    api.add_tool(job)
+    job = labelled(api.new_job(document, **preferred_values.of_new_job(), **_stock()), tr("Job"))
+    api.add_tool(job, **default_values.tool(job))
     for preview in previews(job):
         labelled(preview, tr("Preview"))
     return job
@@ -52,7 +52,7 @@ def _stock() -> dict[str, Any]:
     if (solid := targets.solid()) is not None:
         return default_values.stock_of_solid(box_of(solid))
     boxes = [box for drawing, _ in targets.drawings() if (box := box_of(drawing)).isValid()]
-    return default_values.stock_of_drawing(box_of_boxes(boxes)) if boxes else {}
+    return default_values.stock_of_drawing(box_of_boxes(boxes), preferred_values.thickness_mm()) if boxes else {}
 
 
 class ImportTools(Command):

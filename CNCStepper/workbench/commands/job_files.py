@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands that open and export job files; they stand in the menu alone."""
+"""The commands that open and export job files and write a job's report; they stand in the menu alone."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
@@ -64,3 +65,24 @@ class ExportJob(Command):
         job.Document.recompute()
         export_job(job, path)
         note(tr("{0} was written").format(path))
+
+
+class Report(Command):
+    """Writes the report of a job."""
+
+    name = "CNCStepper_Report"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Report", "Report…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Report", "Writes the job on paper: its operations with tool and time, its path and its program"
+    )
+
+    def why_not(self) -> str:
+        """Return why there is no job of milling or sheets with a program."""
+        no_job = missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
+        return no_job or targets.why_not_by_process(tuple(PROCESSES)) or targets.why_no_program(targets.job())
+
+    def run(self) -> None:
+        """Ask for the file, write it, and open it."""
+        from CNCStepper.workbench.report import job_report
+
+        job_report.ask(targets.job(), job_report.show)

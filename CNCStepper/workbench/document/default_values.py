@@ -7,10 +7,10 @@ import math
 from typing import Any
 
 from CNCStepper.machine.processes import MILLING
+from CNCStepper.workbench.document.preferred_values import THICKNESS_MM
 from CNCStepper.workbench.features.base import entry_of, value_of
 
 MARGIN_MM = 10.0  # of stock around a drawing
-HEIGHT_MM = 20.0
 SHARE_OF_STOCK = 0.4  # of its length and width: the half axes of a pocket without a drawing
 SHARE_OF_TOOL = 0.4  # of its diameter: the stepover
 DEPTH_MM = 10.0
@@ -27,9 +27,9 @@ def stock_of_solid(box: Any) -> dict[str, Any]:
     return _stock(box, (box.XLength, box.YLength, box.ZLength))
 
 
-def stock_of_drawing(box: Any) -> dict[str, Any]:
+def stock_of_drawing(box: Any, thickness_mm: float = THICKNESS_MM) -> dict[str, Any]:
     """Return the job's values for a stock with a margin around a drawing, which lies on its top."""
-    return _stock(box, (box.XLength + 2 * MARGIN_MM, box.YLength + 2 * MARGIN_MM, HEIGHT_MM))
+    return _stock(box, (box.XLength + 2 * MARGIN_MM, box.YLength + 2 * MARGIN_MM, thickness_mm))
 
 
 def stock_around(box: Any, job: Any) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from CNCStepper.workbench.document.preferred_values import program_folder
 from CNCStepper.workbench.editor.program_source import FileSource
 from CNCStepper.workbench.services.messages import choose
 from CNCStepper.workbench.services.translation import tr
@@ -17,7 +18,7 @@ def ask_which() -> Path | None:
     """Ask for a program to open; None when the user cancels."""
     from PySide import QtGui
 
-    dialog = _dialog(tr("Open a G-code file"), Path.home())
+    dialog = _dialog(tr("Open a G-code file"), program_folder(None))
     dialog.setFileMode(QtGui.QFileDialog.FileMode.ExistingFile)
     return _chosen(dialog)
 
@@ -62,7 +63,7 @@ def _proposed(source: Any) -> Path:
     if isinstance(source, FileSource):
         return source.path or Path.home() / "program.nc"
     document = source.document if source.alive else None
-    folder = Path(document.FileName).parent if document is not None and document.FileName else Path.home()
+    folder = program_folder(document)
     name = source.name if source.alive else "program"
     return folder / f"{name.replace('/', '-')}.nc"
 

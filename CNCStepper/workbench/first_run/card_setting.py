@@ -14,8 +14,8 @@ def was_closed() -> bool:
     return bool(FreeCAD.ParamGet(GROUP).GetBool(CLOSED, False))
 
 
-def remember_closed() -> None:
-    """Keep that the card was closed."""
+def remember_closed(closed: bool = True) -> None:
+    """Keep that the card was closed, or is to come again."""
     import FreeCAD
 
-    FreeCAD.ParamGet(GROUP).SetBool(CLOSED, True)
+    FreeCAD.ParamGet(GROUP).SetBool(CLOSED, closed)

@@ -8,6 +8,7 @@ from typing import Any
 from PySide import QtGui
 
 from CNCStepper.workbench.document.default_values import stock_of_drawing, stock_of_solid, untyped_feeds
+from CNCStepper.workbench.document.preferred_values import thickness_mm
 from CNCStepper.workbench.document.stock_of_job import CYLINDER
 from CNCStepper.workbench.drawings.shapes import box_round, round_box
 from CNCStepper.workbench.features.base import edit
@@ -128,7 +129,7 @@ class JobPanel(ProgramJobPanel):
             return
         around = round_box(shapes) if self.job.StockForm == CYLINDER else box_round(shapes)
         solid = any(shape.Solids for shape in shapes)
-        self.editor.take(stock_of_solid(around) if solid else stock_of_drawing(around))
+        self.editor.take(stock_of_solid(around) if solid else stock_of_drawing(around, thickness_mm()))
 
     def _add_stock_button(self) -> None:
         button = QtGui.QPushButton(tr("Fit to drawing"), self.editor)

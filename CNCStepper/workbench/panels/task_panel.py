@@ -8,6 +8,7 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
+from CNCStepper.workbench.document import undo_steps
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.panels.fields import NAME
 from CNCStepper.workbench.panels.object_form import Editor
@@ -122,7 +123,7 @@ class Panel:
                 editor.stop()
             self._close()
             return
-        document.openTransaction(tr("Edit {0}").format(obj.Label))
+        undo_steps.begin(document, tr("Edit {0}").format(obj.Label))
         for editor in self.editors:
             editor.refresh()
             editor.remake()

@@ -8,6 +8,7 @@ from typing import Any
 
 from CNCStepper.errors import OutputError
 from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.document.preferred_values import program_folder
 from CNCStepper.workbench.features.base import named, problem_of
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.message_translation import translated
@@ -65,9 +66,8 @@ def save_as(job: Any) -> None:
 
 
 def proposed(job: Any) -> Path:
-    """Return the file that is proposed: beside the document, named as the job."""
-    folder = Path(job.Document.FileName).parent if job.Document.FileName else Path.home()
-    return folder / f"{job.Label.replace('/', '-')}.nc"
+    """Return the file that is proposed: in the preferred folder or beside the document, named as the job."""
+    return program_folder(job.Document) / f"{job.Label.replace('/', '-')}.nc"
 
 
 def _write(job: Any, path: str) -> None:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from pathlib import Path
 from queue import SimpleQueue
@@ -53,6 +54,21 @@ def test_it_answers_what_the_core_makes(told: list[dict[str, Any]]) -> None:
     assert answers["b"]["texts"] == [("", make_program(job, machine, "Part").program)]
     assert "G1" in answers["b"]["paths"][0]
     assert told[0] == {"begun": 1} and told[-1] == {"done": 1}
+
+
+def test_a_report_has_each_operation_with_its_time_and_the_program(told: list[dict[str, Any]], tmp_path: Path) -> None:
+    job, machine = one_operation()
+    of = {"program": content_of(job), "machine": machine_content(machine), "title": "Sign"}
+    text = make_program(job, machine, "Sign").program
+    sheet = {"title": "Sign", "text": text, "facts": [["Material", "mdf"]], "together": "Together", "most": 1}
+    sheet |= {"operations": [["1", "Letters · T1"]]}
+    for name in ("a.pdf", "a.html"):
+        ask({name: {"sheet": {**sheet, "file": str(tmp_path / name)}, "of": of}}, told)
+    page = (tmp_path / "a.html").read_text("utf-8")
+    assert re.search(r"Letters · T1 · \d+(\.\d)? ", page) and "Together" in page and "mdf" in page
+    assert (tmp_path / "a.pdf").read_bytes().startswith(b"%PDF")
+    refused = ask({"b": {"sheet": {**sheet, "file": str(tmp_path / "a.txt")}, "of": of}}, told)["b"]
+    assert refused["error"]["code"] == "sheet-kind"
 
 
 def test_a_refusal_is_an_answer(told: list[dict[str, Any]]) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 from CNCStepper.machine.libraries.tool_library import keep_tool, library_tools
 from CNCStepper.machine.tools.stored_tool import StoredTool
 from CNCStepper.workbench import api
+from CNCStepper.workbench.document.undo_steps import undo_step
 from CNCStepper.workbench.features.tool import model_of
 
 __all__ = ["add", "add_as_one_step", "keep", "library_tools"]
@@ -21,13 +22,8 @@ def add(job: Any, stored: Sequence[StoredTool]) -> list[Any]:
 
 def add_as_one_step(job: Any, stored: Sequence[StoredTool], title: str) -> int:
     """Add tools as one undo step, and return how many."""
-    job.Document.openTransaction(title)
-    try:
+    with undo_step(job.Document, title):
         count = len(add(job, stored))
-    except Exception:
-        job.Document.abortTransaction()
-        raise
-    job.Document.commitTransaction()
     job.Document.recompute()
     return count
 

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The page in FreeCAD's preferences: what is chosen there with real clicks is what the next job begins with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from PySide import QtCore, QtGui
+
+from CNCStepper.workbench.document import preferred_values as preferred
+from CNCStepper.workbench.document.preferred_values import GROUP
+from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.proving.prove_program import proposed
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
+
+P = "CNCStepper_Preferences"
+
+
+def box(name: str) -> Any:
+    found = [widget for widget in QtGui.QApplication.allWidgets() if widget.objectName() == f"{P}_{name}"]
+    return next((widget for widget in found if widget.isVisible()), None)
+
+
+@pytest.mark.window("plain", "portuguese")
+def test_what_is_preferred_is_what_the_next_job_begins_with(hand: Hand, tmp_path: Path) -> None:
+    hand.main(lambda: QtCore.QTimer.singleShot(0, lambda: FreeCADGui.showPreferences("CNCStepper")))
+    hand.wait(lambda: box("machine"), 20, "the page")
+    hand.settle()
+    hand.shot("preferences")
+    assert hand.main(lambda: places.narrower_than_their_text(box("folder").parent().parent())) == []
+
+    def choose() -> None:
+        for name, value in (("material", "mdf"), ("units", "inch")):
+            box(name).setCurrentIndex(box(name).findData(value))
+        box("thickness").setValue(6.5)
+
+    hand.main(choose)
+    hand.fill(hand.main(box, "folder"), str(tmp_path))
+    hand.key("Return")  # OK
+    hand.wait(lambda: box("machine") is None, 10, "the dialog to close")
+    try:
+        hand.main(FreeCAD.newDocument, "Preferred")
+        hand.command("CNCStepper_NewJob")
+        job = hand.wait(lambda: next(filter(is_job, FreeCAD.ActiveDocument.Objects), None), 10, "the job")
+        assert (job.Material, job.Units, job.Machine) == ("mdf", "inch", "table-a")
+        assert hand.main(proposed, job).parent == tmp_path and preferred.thickness_mm() == 6.5
+        hand.key("Escape")
+    finally:
+        hand.main(lambda: FreeCAD.ParamGet(GROUP).Clear())
+        hand.main(FreeCADGui.Control.closeDialog)
+        hand.main(FreeCAD.closeDocument, "Preferred")
+
+
+def is_job(obj: Any) -> bool:
+    return proxy_type(obj) == JOB
