@@ -35,19 +35,20 @@ demo: setup
 # A test that failed beside another runs once more, alone: a fault is there again, a shared core is not.
 # One that waits for ever fails, with what each thread was doing, and the others go on.
 define pytest
-.venv/bin/python -m pytest --cache-clear -n 2 $(1) || { [ $$? = 1 ] && echo "make: what failed runs once more, alone" && \
-		.venv/bin/python -m pytest --last-failed --last-failed-no-failures none $(1); }
+.venv/bin/python -m pytest --cache-clear $(1) || { [ $$? = 1 ] && echo "make: what failed runs once more, alone" && \
+		.venv/bin/python -m pytest --last-failed --last-failed-no-failures none $(1) -n 0; }
 endef
 
-# mypy uses one core, so it runs beside the first tests. Files without tests in FreeCAD are not even imported for those.
+# Many a test waits for a machine that it plays: three at a time on two cores. mypy uses one core beside the first ones.
+# Files without tests in FreeCAD are not even imported for those.
 FREECAD_TESTS = $$(grep -rlF --include='test_*.py' --exclude-dir=freecad --exclude-dir=window mark.freecad tests)
 test: setup
 	@.venv/bin/python -m ruff check .
 	@.venv/bin/python -m ruff format --check .
 	@.venv/bin/python -m mypy & types=$$!; tests=0; \
-		{ $(call pytest,--timeout 600 --dist loadfile --no-loadscope-reorder -m "not freecad"); } || tests=$$?; \
+		{ $(call pytest,-n 3 --timeout 600 --dist loadfile --no-loadscope-reorder -m "not freecad"); } || tests=$$?; \
 		wait $$types; exit $$tests
-	@$(call pytest,--timeout 1800 --dist worksteal -m "freecad$(if $(filter matrix,$(MAKECMDGOALS)), and not matrix)" $(FREECAD_TESTS))
+	@$(call pytest,-n 2 --timeout 1800 --dist worksteal -m "freecad$(if $(filter matrix,$(MAKECMDGOALS)), and not matrix)" $(FREECAD_TESTS))
 
 # `make test matrix` runs in the system's FreeCAD once what both have (marked "matrix").
 matrix:
