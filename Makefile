@@ -72,7 +72,7 @@ STEPS := 20000
 SEED := 1
 monkey: setup
 	@CNCSTEPPER_MONKEY_STEPS=$(STEPS) CNCSTEPPER_MONKEY_SEED=$(SEED) CNCSTEPPER_WINDOW_LIMIT_S=$$((600 + $(STEPS) * 5)) \
-		tools/window.sh host plain -q tests/window/monkey_walks.py
+		tools/window.sh host monkey -q tests/window/test_monkey.py
 
 CASES := 100000
 FILES := 2000

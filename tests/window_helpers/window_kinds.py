@@ -19,4 +19,6 @@ KINDS: dict[str, dict[str, str]] = {
     # Its start is measured: our Init.py and InitGui.py run through timed_start/. It is soon over, so it makes the
     # documents, for which newer FreeCADs of `make matrix` wait.
     "timed": {AUTOLOAD: "NoneWorkbench"},
+    "monkey": {},
 }
+ON_DEMAND = ("monkey",)  # kinds that take hours, which `make matrix` leaves out

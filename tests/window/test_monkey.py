@@ -28,6 +28,7 @@ STEPS = int(os.environ.get("CNCSTEPPER_MONKEY_STEPS", "1000"))
 FIRST_SEED = int(os.environ.get("CNCSTEPPER_MONKEY_SEED", "1"))
 STEPS_A_WALK = 100
 COMPUTED = {"program"}
+pytestmark = pytest.mark.window("monkey")
 WALKS = range(FIRST_SEED, FIRST_SEED + max(1, STEPS // STEPS_A_WALK))
 
 
