@@ -43,7 +43,9 @@ def _hexadecimal(digits: str) -> str:
 def _named(word: str) -> str | None:
     from PIL import ImageColor
 
-    return ImageColor.colormap.get(word) if word.isalpha() else None  # type: ignore[return-value]
+    if word not in ImageColor.colormap:
+        return None
+    return "#{:02x}{:02x}{:02x}".format(*ImageColor.getrgb(word)[:3])  # the map itself holds numbers once it was asked
 
 
 def _of_function(name: str, arguments: str) -> str | None:

@@ -208,6 +208,14 @@ def test_a_paint_that_is_no_colour_leaves_the_one_around_it(tmp_path: Path, pain
     assert chain.attributes.colour == colour
 
 
+def test_a_named_colour_stays_a_code_when_the_map_of_names_was_asked_before(tmp_path: Path) -> None:
+    from PIL import ImageColor
+
+    ImageColor.getrgb("olive")  # keeps numbers in its map
+    (chain,) = drawing(tmp_path, '<rect width="1" height="2" stroke="olive"/>').chains
+    assert chain.attributes.colour == "#808000"
+
+
 def test_rules_of_a_printer_and_of_other_files_are_left_out_and_told(tmp_path: Path) -> None:
     body = f"""<style>@import "house.css"; rect {{fill: lime}} @media print {{ rect {{fill: red}} .a {{fill: red}} }}
     @media screen {{ .b {{fill: blue}} }} @font-face {{font-family: x}}</style>{BOX}
