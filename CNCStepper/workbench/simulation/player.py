@@ -86,6 +86,13 @@ class Player(QtCore.QObject):
             self.row = self.moves.row_at(self.time_s)
         self.moved.emit()
 
+    def stand_at_end(self) -> None:
+        """Show the end of the program first, or what a person has chosen while all was brought in."""
+        if self.time_s:
+            self.moved.emit()
+        else:
+            self.seek(self.moves.duration_s)
+
     def go_to_row(self, row: int) -> None:
         """Jump to where a move ends."""
         self.steps = ()

@@ -155,7 +155,7 @@ class SimulationTask(ViewTask):
         self._material.moments.failed.connect(messages.guarded(self._show_material))
         self._material.moments.mesh.connect(messages.guarded(self._keep_mesh))
         player.moved.connect(messages.guarded(self._follow))
-        player.seek(player.moves.duration_s)
+        player.stand_at_end()
 
     def _load_on(self) -> None:
         """Bring a bit more in."""

@@ -72,7 +72,7 @@ class TurnedSimulationTask(SimulationTask):
         material.shown.connect(messages.guarded(self._look_once))
         player.moved.connect(messages.guarded(self._follow))
         self._clicks = self._view.addEventCallback(CLICK, messages.guarded(self._clicked))
-        player.seek(player.moves.duration_s)
+        player.stand_at_end()
 
     def _look_once(self) -> None:
         """Look at the part from the side when it is there for the first time."""
