@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -420,12 +421,10 @@ def test_asking_whether_a_command_can_work_takes_no_time(hand: Hand) -> None:
     """FreeCAD asks all commands several times a second, also in a large document."""
 
     def asked_ms() -> float:
-        import time
-
-        begin_s = time.perf_counter()
+        begin_s = time.thread_time()  # of this thread: other windows share the cores
         for name in LABELS:
             FreeCADGui.Command.get(name).isActive()
-        return (time.perf_counter() - begin_s) * 1e3
+        return (time.thread_time() - begin_s) * 1e3
 
     document = hand.main(new_document)
     hand.main(lambda: [new_job(document) for _ in range(10)])

@@ -48,6 +48,7 @@ from CNCStepper.workbench.services.number_format import planned_text
 from CNCStepper.workbench.services.translation import tr
 
 PAUSE_MS = 20  # between two keys of one that types fast
+LONGEST_TIME = "88:88:88"  # as a panel shows it
 DONE = object()
 STEPS_S = 0.005  # so long are objects made before the window sees to its events
 
@@ -109,6 +110,7 @@ class Editor(QtGui.QWidget):
             return
         tip = tr("The planned time of its own moves; the way to them and the tool change are not in it")
         line = self.form.add_result(OPERATION_GROUP, "time", tr("Time"), tip)
+        line.setMinimumWidth(line.fontMetrics().boundingRect(LONGEST_TIME).width())  # the time comes later
         self.times = times = PlannedTimes(lambda: [self.obj], self)
         times.changed.connect(lambda: line.setText(planned_text(times.time_s(self.obj))))
         line.setText(planned_text(0.0))
