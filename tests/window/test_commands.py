@@ -80,23 +80,7 @@ DRAWN = ("CNCStepper_Pocket", "CNCStepper_Contour", "CNCStepper_Engrave")  # can
 OF_SHEETS = ("CNCStepper_SheetCut", "CNCStepper_WireCut")  # not of milling, which these jobs are cut by
 MILLED = [name for name in LABELS if name not in (*OF_SHEETS, TEMPLATE)]
 BY_NUMBERS = [name for name in OPERATIONS if name not in (*DRAWN, *OF_SHEETS)]
-WITH_PROGRAM = (
-    NEW_JOB,
-    IMPORT,
-    *ALWAYS,
-    *IN_DOCUMENT,
-    *BY_NUMBERS,
-    EDIT,
-    OPEN,
-    SAVE,
-    ARRANGE,
-    SIMULATE,
-    SEND,
-    CONTROLLER,
-    MACHINES,
-    LIBRARY,
-    LETTERS,
-)  # one job that has a program
+WITH_PROGRAM = [name for name in MILLED if name not in DRAWN]  # one job that has a program
 POCKET, ENGRAVE = "CNCStepper_EllipticalPocket", "CNCStepper_Engrave"
 
 

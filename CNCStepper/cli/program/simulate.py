@@ -80,10 +80,7 @@ def command(
     if lathe.turns(given):
         if view or (at_s is not None and line is not None):
             raise click.UsageError(Text("a turned part is drawn as its half section, at one moment: leave --view out"))
-        turned = _Turned(program, given, lathe)
-        if stl:
-            turned.save_stl(stl, at_s, line)
-        turned.conclude(out, at_s, line, read_at_mm, json_path)
+        _Turned(program, given, lathe).conclude(out, at_s, line, read_at_mm, json_path, stl)
     given.check_stock(required=True)
     if read_at_mm:
         raise click.UsageError(Text("--read-at is for a turned part: give --bar"))
@@ -131,11 +128,19 @@ class _Turned:
         self._proof, self._verdict = lathe.prove(text, given, machine, str(program), language, start)
 
     def conclude(
-        self, out: Path, at_s: float | None, line: int | None, read_at_mm: Iterable[float], json_path: Path | None
+        self,
+        out: Path,
+        at_s: float | None,
+        line: int | None,
+        read_at_mm: Iterable[float],
+        json_path: Path | None,
+        stl: Path | None,
     ) -> NoReturn:
         """Draw the part at a time or line, else at the end, say what was asked for, and end the command."""
         from CNCStepper.simulation.views.picture_style import duration_text
 
+        if stl:
+            self.save_stl(stl, at_s, line)
         out.parent.mkdir(parents=True, exist_ok=True)
         self._verdict.draw(out, self._title, duration_text(self._proof.report["time_s"]), self._row(at_s, line))
         if json_path:

@@ -18,7 +18,7 @@ def register() -> tuple[list[str], list[str], list[str]]:
     """
     import FreeCADGui
 
-    from CNCStepper.workbench.commands import operations
+    from CNCStepper.workbench.commands import operations, program
     from CNCStepper.workbench.commands.create_object import Freehand
     from CNCStepper.workbench.commands.drawings import ImportDrawing, Nest, Shapes, Slice, Template, Text
     from CNCStepper.workbench.commands.first_steps import FirstSteps
@@ -27,40 +27,19 @@ def register() -> tuple[list[str], list[str], list[str]]:
     from CNCStepper.workbench.commands.job_files import ExportJob, OpenJob, Report
     from CNCStepper.workbench.commands.machines import Assistant, Letters, Library, Machines
     from CNCStepper.workbench.commands.packages import Install
-    from CNCStepper.workbench.commands.program import (
-        Arrange,
-        Controller,
-        EditProgram,
-        OpenProgram,
-        SaveProgram,
-        Send,
-        Simulate,
-    )
     from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING
     from CNCStepper.workbench.commands.turning import COMMANDS as TURNING
 
     drawing = (NewJob(), ImportTools(), ImportDrawing(), Template(), Text(), Shapes(), Slice(), Nest(), Freehand())
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
     sheets = _made(operations.SHEETS)
-    program = (EditProgram(), OpenProgram(), SaveProgram(), Arrange(), Simulate(), Send())
-    machine = (*program, Controller(), Machines(), Library(), Letters())
+    machine = (*_made(program.COMMANDS), Machines(), Library(), Letters())
     order, files = _made(ORDERING), (OpenJob(), ExportJob(), Report())
     setting_up, manual = (FirstSteps(), Assistant(), Install()), (Help(),)
     turning = _made(TURNING)
-    for command in (
-        *drawing,
-        *areas,
-        *lines_and_holes,
-        *sheets,
-        *turning,
-        *order,
-        *machine,
-        *files,
-        *setting_up,
-        *manual,
-    ):
-        FreeCADGui.addCommand(command.name, command)
     kinds = (drawing, areas, lines_and_holes, sheets)
+    for command in itertools.chain(*kinds, turning, order, machine, files, setting_up, manual):
+        FreeCADGui.addCommand(command.name, command)
     menu = _names(*kinds, order, machine, files, (*setting_up, *manual))
     return _names(*kinds, machine, manual), menu, _names(turning)
 

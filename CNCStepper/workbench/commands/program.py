@@ -170,3 +170,6 @@ class Controller(Command):
         from CNCStepper.workbench import dock
 
         dock.show()
+
+
+COMMANDS = (EditProgram, OpenProgram, SaveProgram, Arrange, Simulate, Send, Controller)

@@ -74,11 +74,7 @@ class Panel(KeyboardArea):
         self.outline = OutlineSending(send, self.link)
         self.recovery = RestartOffer(self.link, send, self.state.show_way_on)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
-        self.digits = BigDigits(self, lengths, point)
-        self.digits_button = widgets.button("Digits", tr("Big digits…"), self._show_digits)
-        self.digits_button.setToolTip(
-            tr("Positions, state and remaining time in a window of their own, to be read across the room")
-        )
+        self._add_digits(BigDigits(self, lengths, point))
         self.backing = RetractRun(self, self.link, self.log.say, self.refresh)
         self.back = RetractView(lengths, point, self.backing.go)
         self.halt, self.job = PauseView(self.backing.command), JobView()
@@ -104,6 +100,14 @@ class Panel(KeyboardArea):
         self._timer.timeout.connect(messages.guarded(self._tick))
         self._timer.start()
         self.refresh()
+
+    def _add_digits(self, digits: BigDigits) -> None:
+        """Have the window of big digits, and the button that shows it."""
+        self.digits = digits
+        self.digits_button = widgets.button("Digits", tr("Big digits…"), self._show_digits)
+        self.digits_button.setToolTip(
+            tr("Positions, state and remaining time in a window of their own, to be read across the room")
+        )
 
     def _set_help_pages(self) -> None:
         """Say which page of the guide F1 opens at each part."""

@@ -12,7 +12,7 @@ from PySide import QtCore, QtGui
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.libraries.table_draft import Library, TableDraft
 from CNCStepper.workbench.libraries.table_model import ChoiceDelegate, TableModel
-from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
+from CNCStepper.workbench.panels.fields import ERROR_COLOUR, named_button, note_label
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
@@ -136,11 +136,7 @@ class Page(QtGui.QWidget):
 
     def button(self, name: str, text: str, tip: str, act: Callable[[], None]) -> Any:
         """Add a button below the table."""
-        button = QtGui.QPushButton(text, self)
-        button.setObjectName(f"{self.name}_{name}")
-        button.setToolTip(tip)
-        button.setAutoDefault(False)
-        button.clicked.connect(guarded(act))
+        button = named_button(f"{self.name}_{name}", text, tip, act, self)
         self.buttons.addWidget(button)
         return button
 

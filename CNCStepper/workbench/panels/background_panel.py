@@ -9,11 +9,10 @@ from typing import Any, Protocol
 from PySide import QtGui
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.panels.fields import NAME, WorkNote
+from CNCStepper.workbench.panels.fields import NAME, WorkNote, named_button
 from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.panels.task_panel import Panel
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.view_fit import show_all
 
 
@@ -109,10 +108,5 @@ def button_row(texts: tuple[tuple[str, str, str, Callable[[], None]], ...], pare
     row = QtGui.QHBoxLayout(bar)
     row.setContentsMargins(0, 0, 0, 0)
     for name, text, tip, act in texts:
-        button = QtGui.QPushButton(text, bar)
-        button.setObjectName(f"{NAME}_{name}")
-        button.setToolTip(tip)
-        button.setAutoDefault(False)
-        button.clicked.connect(guarded(act))
-        row.addWidget(button)
+        row.addWidget(named_button(f"{NAME}_{name}", text, tip, act, bar))
     return bar

@@ -79,6 +79,16 @@ class RemedyBar(QtGui.QWidget):
         return button
 
 
+def named_button(name: str, text: str, tip: str, act: Callable[[], None], parent: Any) -> Any:
+    """Return a button of that objectName, which Return does not press."""
+    button = QtGui.QPushButton(text, parent)
+    button.setObjectName(name)
+    button.setToolTip(tip)
+    button.setAutoDefault(False)
+    button.clicked.connect(guarded(act))
+    return button
+
+
 class WorkNote(QtGui.QWidget):
     """A progress line, which is shown only when a calculation takes a while."""
 

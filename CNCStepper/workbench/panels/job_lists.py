@@ -13,7 +13,7 @@ from CNCStepper.workbench import api
 from CNCStepper.workbench.document import default_values
 from CNCStepper.workbench.document.clamps import outline_of
 from CNCStepper.workbench.features.base import edit, is_tool, problem_of, proxy_type
-from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, note_label
+from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, named_button, note_label
 from CNCStepper.workbench.panels.planned_times import PlannedTimes
 from CNCStepper.workbench.panels.tools.tool_words import tool_words
 from CNCStepper.workbench.services.icons import icon
@@ -67,11 +67,7 @@ class ObjectList(QtGui.QWidget):
 
     def button(self, name: str, text: str, tip: str, act: Callable[[], None]) -> Any:
         """Add a button below the list."""
-        button = QtGui.QPushButton(text, self)
-        button.setObjectName(f"{self.name}_{name}")
-        button.setToolTip(tip)
-        button.setAutoDefault(False)
-        button.clicked.connect(guarded(act))
+        button = named_button(f"{self.name}_{name}", text, tip, act, self)
         self.buttons.addWidget(button)
         return button
 
