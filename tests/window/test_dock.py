@@ -413,8 +413,10 @@ def the_outline_is_run(hand: Hand, dock: Any) -> None:
     hand.wait(lambda: seen.append(dock.link.status) or "Done" in hand.text(f"{D}FlowTitle"), 60, "its end")
     assert all(status.wpos_mm[2] > -0.01 and not status.spindle_rpm for status in seen)
     assert dock.link.status.wpos_mm == pytest.approx((-17, -9, 10), abs=0.02)  # 20 by 12 mm less the cutter's radius
-    assert max(status.wpos_mm[0] for status in seen) > 10 and max(status.wpos_mm[1] for status in seen) > 5
     hand.click(f"{D}Cancel")
+    outline = hand.main(lambda: FreeCAD.ActiveDocument.getObjectsByLabel("Pocket job, outline")[0])
+    corners = " ".join(word for word in hand.main(api.program_text, outline).split() if word[0] in "XY")
+    assert corners == "X-17.000 Y-9.000 X17.000 Y9.000 X-17.000 Y-9.000"
 
 
 def start_button() -> Any:
