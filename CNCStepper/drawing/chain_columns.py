@@ -18,9 +18,9 @@ import numpy as np
 
 from CNCStepper.drawing.drawing import Attributes, Chain, Piece
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.curve_bundle import Bundle, bundle_of, bundles_joined
+from CNCStepper.geometry.curve_bundle import Bundle
 
-BLOCK = 4_096  # curves that are gathered before they become columns
+BLOCK = 4_096  # chains that are made at once where all are gone through
 
 
 class ChainColumns(Sequence[Chain]):
@@ -66,11 +66,10 @@ class ChainColumns(Sequence[Chain]):
 
 
 class ChainGatherer:
-    """Gathers curves one by one, and gives their columns."""
+    """Gathers curves, and gives their columns, which grow in place: no two copies of them are there at once."""
 
     def __init__(self) -> None:
-        self._curves: list[Curve] = []
-        self._blocks: list[Bundle] = []
+        self._xy, self._bulge, self._counts = array("d"), array("d"), array("q")
         self._looks: dict[tuple[Any, ...], int] = {}
         self._look = array("i")
         self._names: list[str] = []
@@ -80,24 +79,30 @@ class ChainGatherer:
 
     def add(self, curve: Curve, attributes: Attributes) -> None:
         """Add a curve."""
-        look = attributes.layer, attributes.colour, "", attributes.groups, attributes.filled
-        self._curves.append(curve)
-        self._look.append(self._looks.setdefault(look, len(self._looks)))
-        self._names.append(attributes.name)
-        if len(self._curves) >= BLOCK:
-            self._close_block()
+        self._xy.frombytes(curve.xy.tobytes())
+        self._bulge.frombytes(curve.bulge.tobytes())
+        self._counts.append(len(curve.bulge))
+        self._add_attributes(attributes)
+
+    def add_bundle(self, bundle: Bundle, attributes: Iterable[Attributes]) -> None:
+        """Add the curves of a bundle, with the attributes of each."""
+        self._xy.frombytes(bundle.xy.tobytes())
+        self._bulge.frombytes(bundle.bulge.tobytes())
+        self._counts.frombytes(bundle.counts.astype(np.int64).tobytes())
+        for own in attributes:
+            self._add_attributes(own)
 
     def columns(self) -> ChainColumns:
         """Return all that was added; nothing can be added after."""
-        self._close_block()
-        bundle, self._blocks = bundles_joined(self._blocks), []
+        xy = np.frombuffer(self._xy, float).reshape(-1, 2)
+        bundle = Bundle(xy, np.frombuffer(self._bulge, float), np.frombuffer(self._counts, np.int64))
         looks = [Attributes(*look) for look in self._looks]
-        return ChainColumns(bundle, np.array(self._look, np.int32), looks, self._names)
+        return ChainColumns(bundle, np.frombuffer(self._look, np.int32), looks, self._names)
 
-    def _close_block(self) -> None:
-        if self._curves:
-            self._blocks.append(bundle_of(self._curves))
-            self._curves = []
+    def _add_attributes(self, own: Attributes) -> None:
+        look = own.layer, own.colour, "", own.groups, own.filled
+        self._look.append(self._looks.setdefault(look, len(self._looks)))
+        self._names.append(own.name)
 
 
 def columns_of(pieces: Iterable[Piece | Chain]) -> ChainColumns:

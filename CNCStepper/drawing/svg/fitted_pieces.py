@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The pieces of a drawing in the order of the file, their curves fitted many paths at a time.
 
-shape ──► add_paths: waits ──► MOST_WAITING segments ──► PathColumns.curves: one call for all ──► Piece
-text ───► add_curves: waits with them ────────────────────────────────────────────────────────► Piece
+shape ──► add_paths: waits ──► MOST_WAITING segments ──► PathColumns.bundle: one call for all ──► ChainGatherer
+text ───► add_curves: behind those that wait ──────────────────────────────────────────────────► ChainGatherer
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
+
+import numpy as np
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.chain_columns import ChainColumns, ChainGatherer
@@ -23,10 +24,9 @@ MOST_WAITING = 4_096  # segments
 
 
 class _Waiting(NamedTuple):
-    """The paths of one element, or its curves, its attributes, and what is called where a path has no curve."""
+    """The paths of one element, its attributes, and what is called where a path has no curve."""
 
     pens: Sequence[PathPen]
-    curves: Sequence[Curve]
     attributes: Attributes
     refused: Callable[[GeometryError], None]
 
@@ -47,8 +47,9 @@ class FittedPieces:
 
     def add_curves(self, curves: Sequence[Curve], attributes: Attributes) -> None:
         """Add the curves of an element."""
-        self._waiting.append(_Waiting((), curves, attributes, _not_refused))
-        self._count(sum(map(len, curves)))
+        self._fit()
+        for curve in curves:
+            self._pieces.add(curve, attributes)
 
     def add_paths(
         self, pens: Sequence[PathPen], attributes: Attributes, refused: Callable[[GeometryError], None]
@@ -60,18 +61,15 @@ class FittedPieces:
         drawn = [pen for pen in pens if len(pen)]
         if not drawn:
             return
-        self._waiting.append(_Waiting(drawn, (), attributes, refused))
-        self._count(sum(map(len, drawn)))
+        self._waiting.append(_Waiting(drawn, attributes, refused))
+        self._segments += sum(map(len, drawn))
+        if self._segments >= MOST_WAITING:
+            self._fit()
 
     def all(self) -> ChainColumns:
         """Return the pieces of all elements; raises GeometryError as `add_paths`."""
         self._fit()
         return self._pieces.columns()
-
-    def _count(self, segments: int) -> None:
-        self._segments += segments
-        if self._segments >= MOST_WAITING:
-            self._fit()
 
     def _fit(self) -> None:
         if not self._waiting:
@@ -79,17 +77,22 @@ class FittedPieces:
         checkpoint()
         waiting, self._waiting, self._segments = self._waiting, [], 0
         pens = [pen for own in waiting for pen in own.pens]
-        found = iter(columns_of(pens).curves(self._tolerance_mm, self._budget) if pens else ())
+        bundle, errors = columns_of(pens).bundle(self._tolerance_mm, self._budget)
+        kept, attributes = np.ones(len(pens), bool), [own.attributes for own in waiting for _ in own.pens]
+        if errors:
+            self._refuse(waiting, errors, kept)
+            sound = [number for number in range(len(pens)) if number not in errors]
+            bundle, attributes = bundle.where(kept[sound]), [attributes[number] for number in np.flatnonzero(kept)]
+        self._pieces.add_bundle(bundle, attributes)
+
+    @staticmethod
+    def _refuse(waiting: Sequence[_Waiting], errors: dict[int, GeometryError], kept: np.ndarray) -> None:
+        """Refuse the elements of which a path has no curve; their paths are not `kept`, bool[k]."""
+        first = 0
         for own in waiting:
-            fitted = [next(found) for _ in own.pens]
-            error = next((curve for curve in fitted if isinstance(curve, GeometryError)), None)
+            paths = range(first, first + len(own.pens))
+            first = paths.stop
+            error = next((errors[number] for number in paths if number in errors), None)
             if error is not None:
+                kept[paths.start : paths.stop] = False
                 own.refused(error)
-                continue
-            for curve in itertools.chain(own.curves, fitted):
-                assert isinstance(curve, Curve)
-                self._pieces.add(curve, own.attributes)
-
-
-def _not_refused(error: GeometryError) -> None:
-    raise error
