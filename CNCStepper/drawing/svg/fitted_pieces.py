@@ -17,16 +17,16 @@ from CNCStepper.drawing.chain_columns import ChainColumns, ChainGatherer
 from CNCStepper.drawing.drawing import Attributes
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.fitting.bezier_path import PathPen, columns_of
+from CNCStepper.geometry.fitting.bezier_path import PathGatherer, PathPen
 from CNCStepper.geometry.fitting.path_columns import SampleBudget
 
 MOST_WAITING = 4_096  # segments
 
 
 class _Waiting(NamedTuple):
-    """The paths of one element, its attributes, and what is called where a path has no curve."""
+    """An element: how many paths it has, its attributes, and what is called where a path has no curve."""
 
-    pens: Sequence[PathPen]
+    paths: int
     attributes: Attributes
     refused: Callable[[GeometryError], None]
 
@@ -37,8 +37,8 @@ class FittedPieces:
     def __init__(self, tolerance_mm: float):
         self._tolerance_mm, self._budget = tolerance_mm, SampleBudget()
         self._pieces = ChainGatherer()
+        self._paths = PathGatherer()
         self._waiting: list[_Waiting] = []
-        self._segments = 0
 
     @property
     def budget(self) -> SampleBudget:
@@ -46,7 +46,7 @@ class FittedPieces:
         return self._budget
 
     def add_curves(self, curves: Sequence[Curve], attributes: Attributes) -> None:
-        """Add the curves of an element."""
+        """Add the curves of an element; raises GeometryError as `add_paths`."""
         self._fit()
         for curve in curves:
             self._pieces.add(curve, attributes)
@@ -58,13 +58,15 @@ class FittedPieces:
 
         Raises GeometryError where the curves of the drawing are too many for the tolerance.
         """
-        drawn = [pen for pen in pens if len(pen)]
-        if not drawn:
-            return
-        self._waiting.append(_Waiting(drawn, attributes, refused))
-        self._segments += sum(map(len, drawn))
-        if self._segments >= MOST_WAITING:
-            self._fit()
+        count = 0
+        for pen in pens:
+            if len(pen):
+                self._paths.add(pen)
+                count += 1
+        if count:
+            self._waiting.append(_Waiting(count, attributes, refused))
+            if len(self._paths) >= MOST_WAITING:
+                self._fit()
 
     def all(self) -> ChainColumns:
         """Return the pieces of all elements; raises GeometryError as `add_paths`."""
@@ -75,24 +77,24 @@ class FittedPieces:
         if not self._waiting:
             return
         checkpoint()
-        waiting, self._waiting, self._segments = self._waiting, [], 0
-        pens = [pen for own in waiting for pen in own.pens]
-        bundle, errors = columns_of(pens).bundle(self._tolerance_mm, self._budget)
-        kept, attributes = np.ones(len(pens), bool), [own.attributes for own in waiting for _ in own.pens]
+        waiting, self._waiting = self._waiting, []
+        paths, self._paths = self._paths.columns(), PathGatherer()
+        bundle, errors = paths.bundle(self._tolerance_mm, self._budget)
+        attributes = [own.attributes for own in waiting for _ in range(own.paths)]
         if errors:
-            self._refuse(waiting, errors, kept)
-            sound = [number for number in range(len(pens)) if number not in errors]
+            kept = self._kept(waiting, errors)
+            sound = [number for number in range(len(kept)) if number not in errors]
             bundle, attributes = bundle.where(kept[sound]), [attributes[number] for number in np.flatnonzero(kept)]
         self._pieces.add_bundle(bundle, attributes)
 
     @staticmethod
-    def _refuse(waiting: Sequence[_Waiting], errors: dict[int, GeometryError], kept: np.ndarray) -> None:
-        """Refuse the elements of which a path has no curve; their paths are not `kept`, bool[k]."""
-        first = 0
+    def _kept(waiting: Sequence[_Waiting], errors: dict[int, GeometryError]) -> np.ndarray:
+        """Return which paths are of elements all of whose paths have a curve, bool[k]; refuse the other elements."""
+        kept: list[bool] = []
         for own in waiting:
-            paths = range(first, first + len(own.pens))
-            first = paths.stop
-            error = next((errors[number] for number in paths if number in errors), None)
+            numbers = range(len(kept), len(kept) + own.paths)
+            error = next((errors[number] for number in numbers if number in errors), None)
+            kept += [error is None] * own.paths
             if error is not None:
-                kept[paths.start : paths.stop] = False
                 own.refused(error)
+        return np.array(kept, bool)
