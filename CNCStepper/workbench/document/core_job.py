@@ -95,8 +95,8 @@ def _nested_kerfs_mm(operations: Sequence[Any]) -> dict[int, float]:
     found = {}
     for number, operation in enumerate(operations, start=1):
         groups = (drawing.getParentGroup() for drawing in linked_drawings(operation))
-        kerfs_mm = [float(kerf) for group in groups if (kerf := getattr(group, "SharedKerf", 0.0))]
-        found |= {number: kerf_mm for kerf_mm in kerfs_mm}
+        if kerfs_mm := [float(kerf) for group in groups if (kerf := getattr(group, "SharedKerf", 0.0))]:
+            found[number] = kerfs_mm[0]
     return found
 
 
