@@ -94,6 +94,8 @@ def _nested_kerfs_mm(operations: Sequence[Any]) -> dict[int, float]:
     """Return the kerf of the nest for each operation on a sheet whose parts share cuts, by its number from 1."""
     found = {}
     for number, operation in enumerate(operations, start=1):
+        if operation.Proxy.CYCLE != "sheet_cut":
+            continue
         groups = (drawing.getParentGroup() for drawing in linked_drawings(operation))
         if kerfs_mm := [float(kerf) for group in groups if (kerf := getattr(group, "SharedKerf", 0.0))]:
             found[number] = kerfs_mm[0]
