@@ -23,6 +23,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from itertools import pairwise
+from math import copysign
 
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.writer.block_emitter import BlockEmitter
@@ -152,7 +153,7 @@ class NumberedCycleWriter(ProfileCycles):
         facing = span.name == FACING
         if facing and place[0] != begin[0]:
             return 0
-        if facing or (place[2] == begin[2] and _is_monotonic(pieces)):
+        if facing or (place[2] == begin[2] and _rises_to(begin[0], pieces)):
             del lines[0][1 if facing else 2]  # the first block of a profile without pockets moves one axis
         named = self._written[key] = [f"P{self._next}", f"Q{self._next + len(lines) - 1}"]
         depth, retract = (page.with_point(page.grid.short(span.words[letter])) for letter in "IR")
@@ -171,8 +172,9 @@ def profile_cycles(toolpath: Toolpath, page: BlockEmitter, rows: RowWriter, whol
     return writer(toolpath, page, rows, whole and (page.dialect.o_words or page.dialect.two_block_cycles))
 
 
-def _is_monotonic(pieces: list[Piece]) -> bool:
-    """Whether X only rises, or only falls, along a profile: by its direction at both ends of each piece."""
+def _rises_to(begin_x: int, pieces: list[Piece]) -> bool:
+    """Whether a profile never leads away from the X where its cycle begins: by its direction at both ends of a piece."""
+    side = copysign(1.0, begin_x - pieces[0][1][0])
     ways: list[float] = []
     for kind, begin, end, (_, centre_z) in pieces:
         if kind == LINE:
@@ -180,4 +182,4 @@ def _is_monotonic(pieces: list[Piece]) -> bool:
         else:
             sense = 1.0 if kind == ARC_CCW else -1.0
             ways += [sense * (place[2] - centre_z) for place in (begin, end)]
-    return all(way >= -1 for way in ways) or all(way <= 1 for way in ways)
+    return all(side * way >= -1 for way in ways)  # a count is rounding

@@ -108,10 +108,11 @@ def _first_word(words: Mapping[str, float], angle_deg: int) -> str:
     """Return P of the first block: finishing passes, pull-out in tenths of the lead, angle; "" where it has no digits.
 
     The infeed is steeper than the flank, so that the angle is the next that controls know. One finishing pass is made
-    always. The pull-out is rounded down, so that the thread is as long as asked for.
+    always. The pull-out is rounded down, but never to none, so that the thread is as long as asked for.
     """
-    tenths = floor(10.0 * words.get("E", 0.0) / words["P"] + LEAST_DIGIT)
+    pull_out_mm = words.get("E", 0.0)
+    tenths = floor(10.0 * pull_out_mm / words["P"] + LEAST_DIGIT)
     passes = round(words["H"]) + 1
-    if abs(angle_deg - 2.0 * words["Q"]) > MOST_ANGLE_OFF_DEG:
+    if abs(angle_deg - 2.0 * words["Q"]) > MOST_ANGLE_OFF_DEG or (pull_out_mm and not tenths):
         return ""
     return f"P{passes:02d}{tenths:02d}{angle_deg:02d}" if passes < 100 and tenths < 100 else ""

@@ -159,6 +159,8 @@ def test_a_cylindrical_thread_is_g76_in_two_blocks_and_the_part_is_that_of_its_p
     thread = shapely.box(-49.0, 0.0, 10.0, 100.0)  # the pull-out itself is at 45 degrees
     assert shapely.intersection(shapely.symmetric_difference(*regions), thread).area < 0.02
     assert regions[0].area < job.stock.diameter_mm / 2 * 119
+    operation["pull_out_mm"] = 0.2  # less than a tenth of the lead: G76 has no digit for it
+    assert "G76" not in made(turning_job_of(content | {"canned": True}, Path("job.toml")), "fanuc-lathe")[0]
 
 
 def test_a_program_for_fanuc_is_proven_as_any_other(tmp_path):
