@@ -173,7 +173,7 @@ def profile_cycles(toolpath: Toolpath, page: BlockEmitter, rows: RowWriter, whol
 
 
 def _rises_to(begin_x: int, pieces: list[Piece]) -> bool:
-    """Whether a profile never leads away from the X where its cycle begins, by its direction at the ends of its pieces."""
+    """Whether a profile never leads away from the X where its cycle begins: each piece by both its ends."""
     side = copysign(1.0, begin_x - pieces[0][1][0])
     ways: list[float] = []
     for kind, begin, end, (_, centre_z) in pieces:
