@@ -17369,6 +17369,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a left-hand insert comes from the end of the profile, which lies below the bar's surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17657,6 +17661,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a profile is cut by an insert, in a bore and on a cone by a right-hand one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a profile is made of edges</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17758,6 +17766,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a request without the session's token</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a right-hand insert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21157,6 +21169,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>let the profile end at the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let z never rise along it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22689,10 +22705,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>profiles are turned towards the chuck with a right-hand insert</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>programs are not written in the dialect {dialect}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22766,6 +22778,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>radius at its end 0 mm or more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radius {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -17393,6 +17393,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma entrada ou um corte atravessa uma peça</translation>
         </message>
         <message>
+            <source>a left-hand insert comes from the end of the profile, which lies below the bar's surface</source>
+            <translation>uma pastilha esquerda vem do fim do perfil, que está abaixo da superfície da barra</translation>
+        </message>
+        <message>
             <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
             <translation>um fim de curso ou porta de segurança fica num pino com número e sem porta: na porta da própria máquina</translation>
         </message>
@@ -17681,6 +17685,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um processo nosso tem a porta de uma máquina, mas seu arquivo {path} não pode ser lido: {error}</translation>
         </message>
         <message>
+            <source>a profile is cut by an insert, in a bore and on a cone by a right-hand one</source>
+            <translation>um perfil é cortado por uma pastilha, em um furo e em um cone por uma direita</translation>
+        </message>
+        <message>
             <source>a profile is made of edges</source>
             <translation>um perfil é feito de arestas</translation>
         </message>
@@ -17783,6 +17791,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a request without the session's token</source>
             <translation>um pedido sem a chave da sessão</translation>
+        </message>
+        <message>
+            <source>a right-hand insert</source>
+            <translation>uma pastilha direita</translation>
         </message>
         <message>
             <source>a right-hand turning tool</source>
@@ -21181,6 +21193,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>deixe no máximo {length:g} mm para fora, ou apoie a ponta</translation>
         </message>
         <message>
+            <source>let the profile end at the bar</source>
+            <translation>deixe o perfil terminar na superfície da barra</translation>
+        </message>
+        <message>
             <source>let z never rise along it</source>
             <translation>não deixe z subir ao longo dele</translation>
         </message>
@@ -22713,10 +22729,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>process deve ser um texto</translation>
         </message>
         <message>
-            <source>profiles are turned towards the chuck with a right-hand insert</source>
-            <translation>perfis são torneados em direção à placa com uma pastilha direita</translation>
-        </message>
-        <message>
             <source>programs are not written in the dialect {dialect}</source>
             <translation>não se escrevem programas no dialeto {dialect}</translation>
         </message>
@@ -22791,6 +22803,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>radius at its end 0 mm or more</source>
             <translation>raio no fim de 0 mm ou mais</translation>
+        </message>
+        <message>
+            <source>radius {0} mm</source>
+            <translation>raio {0} mm</translation>
         </message>
         <message>
             <source>radius {0} mm at z {1} mm</source>
