@@ -4275,6 +4275,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add, change and delete the tools of this template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Added between letters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7267,6 +7271,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leave the tools as they were</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7952,6 +7960,10 @@
         </message>
         <message>
             <source>Number the lines…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>OK</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9735,6 +9747,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take these tools into the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10763,11 +10779,19 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tools of the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Tools, materials and cut charts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tools…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -4275,6 +4275,10 @@
             <translation>Adicionar</translation>
         </message>
         <message>
+            <source>Add, change and delete the tools of this template</source>
+            <translation>Adicionar, mudar e excluir as ferramentas deste modelo</translation>
+        </message>
+        <message>
             <source>Added between letters</source>
             <translation>Acrescentado entre as letras</translation>
         </message>
@@ -7267,6 +7271,10 @@
             <translation>Deixar fora do programa</translation>
         </message>
         <message>
+            <source>Leave the tools as they were</source>
+            <translation>Deixar as ferramentas como estavam</translation>
+        </message>
+        <message>
             <source>Left on the cone for a last pass along it; 0: none</source>
             <translation>Deixado no cone para um último passe ao longo dele; 0: nenhum</translation>
         </message>
@@ -7953,6 +7961,10 @@
         <message>
             <source>Number the lines…</source>
             <translation>Numerar as linhas…</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>OK</translation>
         </message>
         <message>
             <source>Objects</source>
@@ -9735,6 +9747,10 @@
             <translation>Usa o modelo de um arquivo</translation>
         </message>
         <message>
+            <source>Take these tools into the template</source>
+            <translation>Levar estas ferramentas para o modelo</translation>
+        </message>
+        <message>
             <source>Take {0}</source>
             <translation>Usar {0}</translation>
         </message>
@@ -10763,12 +10779,20 @@
             <translation>Ferramentas e materiais</translation>
         </message>
         <message>
+            <source>Tools of the template</source>
+            <translation>Ferramentas do modelo</translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
         </message>
         <message>
             <source>Tools, materials and cut charts</source>
             <translation>Ferramentas, materiais e tabelas de corte</translation>
+        </message>
+        <message>
+            <source>Tools…</source>
+            <translation>Ferramentas…</translation>
         </message>
         <message>
             <source>Toothed belt</source>
