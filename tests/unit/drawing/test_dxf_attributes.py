@@ -64,6 +64,24 @@ def test_a_block_gives_layer_0_and_colour_by_block_and_its_name(tmp_path: Path) 
     assert alone.groups == () and document.entitydb[alone.name].dxf.radius == 50
 
 
+def test_names_and_texts_outside_of_the_code_page_are_read_in_their_letters(tmp_path: Path) -> None:
+    document = ezdxf.new("R2004", setup=True)
+    space = document.modelspace()
+    document.blocks.new("furo 孔").add_circle((0, 0), 1, dxfattribs={"layer": "切断"})
+    space.add_circle((0, 0), 5, dxfattribs={"layer": "切断"})
+    space.add_blockref("furo 孔", (9, 9))
+    document.styles.new("sans", dxfattribs={"font": "DejaVuSans.ttf"})
+    space.add_text("Ω", dxfattribs={"layer": "çã", "style": "sans", "height": 2.5})
+    space.add_mtext("Ω", dxfattribs={"layer": "çã", "style": "sans", "char_height": 2.5})
+    path = tmp_path / "escaped.dxf"
+    document.saveas(path)
+    assert b"\\U+5207" in path.read_bytes()
+    chains = read_dxf(path, 0.01).chains
+    found = [chain.attributes for chain in chains]
+    assert [each.layer for each in found] == ["切断", "切断", "çã", "çã"] and found[1].name == "furo 孔"
+    assert all(2.0 < chain.curve.box_mm[3] - chain.curve.box_mm[1] < 3.0 for chain in chains[2:])
+
+
 @pytest.mark.parametrize("binary", [False, True])
 def test_groups_are_kept_of_plain_entities_and_blocks(tmp_path: Path, binary: bool) -> None:
     document = ezdxf.new("R2010")
