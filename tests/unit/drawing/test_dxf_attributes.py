@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import ezdxf
+import numpy as np
 import pytest
 
 from CNCStepper.drawing.dxf.reader import read_dxf
@@ -79,7 +80,8 @@ def test_names_and_texts_outside_of_the_code_page_are_read_in_their_letters(tmp_
     chains = read_dxf(path, 0.01).chains
     found = [chain.attributes for chain in chains]
     assert [each.layer for each in found] == ["切断", "切断", "çã", "çã"] and found[1].name == "furo 孔"
-    assert all(2.0 < chain.curve.box_mm[3] - chain.curve.box_mm[1] < 3.0 for chain in chains[2:])
+    boxes = [chain.curve.box_mm for chain in chains[2:]]
+    assert [np.ptp(np.reshape(box, (2, 2)), axis=0).tolist() for box in boxes] == [pytest.approx([2.3, 2.5], abs=0.4)] * 2
 
 
 @pytest.mark.parametrize("binary", [False, True])
