@@ -21725,6 +21725,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a text in quotes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be true or false</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
             <translation type="unfinished"></translation>
         </message>

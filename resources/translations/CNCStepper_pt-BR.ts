@@ -21749,6 +21749,22 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>mova {letter} em uma linha própria</translation>
         </message>
         <message>
+            <source>must be a list</source>
+            <translation>deve ser uma lista</translation>
+        </message>
+        <message>
+            <source>must be a table</source>
+            <translation>deve ser uma tabela</translation>
+        </message>
+        <message>
+            <source>must be a text in quotes</source>
+            <translation>deve ser um texto entre aspas</translation>
+        </message>
+        <message>
+            <source>must be true or false</source>
+            <translation>deve ser true ou false</translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
             <translation>deve ser {number} de {words}</translation>
         </message>

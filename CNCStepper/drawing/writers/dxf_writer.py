@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes a drawing as DXF R2004 in mm: a polyline with bulges for each chain, on its layer and in its colour.
 
-A layer whose name DXF does not allow gets one that no other layer has. Letters outside of the file's code page are \\U+XXXX.
+A layer whose name DXF does not allow gets one that no other layer has. Letters outside the code page are \\U+XXXX.
 """
 
 from __future__ import annotations
