@@ -19777,10 +19777,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>export the solid as STEP again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23317,7 +23313,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
+            <source>set {cadquery} to a Python that has CadQuery</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set {freecad} to FreeCAD's command</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -19801,10 +19801,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>exporte o próprio corpo, como STEP, BREP ou STL</translation>
         </message>
         <message>
-            <source>export the solid as STEP again</source>
-            <translation>exporte o sólido de novo como STEP</translation>
-        </message>
-        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation>expressões entre colchetes não fazem parte deste dialeto</translation>
         </message>
@@ -23341,8 +23337,12 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>ponha width_mm em no máximo {width_mm:.2f}</translation>
         </message>
         <message>
-            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
-            <translation>aponte {cadquery} para um Python que tenha o CadQuery, ou {freecad} para o comando do FreeCAD</translation>
+            <source>set {cadquery} to a Python that has CadQuery</source>
+            <translation>aponte {cadquery} para um Python que tenha o CadQuery</translation>
+        </message>
+        <message>
+            <source>set {freecad} to FreeCAD's command</source>
+            <translation>aponte {freecad} para o comando do FreeCAD</translation>
         </message>
         <message>
             <source>sets G92 as it was: {array}</source>
