@@ -19,6 +19,7 @@ from CNCStepper.output_files import MADE_BY
 
 NOT_IN_NAMES = str.maketrans(dict.fromkeys('<>/\\":;?*|=`', "_"))  # signs that a layer's name must not have
 LONGEST_NAME = 255
+LONGEST_NUMBER = 8  # characters of what tells equal names apart
 LAYER_0 = "0"  # that every file has
 
 
@@ -52,10 +53,11 @@ def layer_names(layers: Iterable[str]) -> dict[str, str]:
     """Return the name in the file for each layer: its own where DXF allows that, else another one that is free."""
     allowed = {layer: _allowed(layer) for layer in layers}
     names = {layer: name for layer, name in allowed.items() if layer == name} | {"": LAYER_0}
+    taken = set(names.values())
     for layer, name in allowed.items():
         if layer not in names:
-            taken = set(names.values())
             names[layer] = next(free for free in _numbered(name) if free not in taken)
+            taken.add(names[layer])
     return names
 
 
@@ -67,7 +69,7 @@ def _numbered(name: str) -> Iterable[str]:
     """Yield a name, then it with the numbers 2, 3, ..."""
     yield name
     for number in itertools.count(2):
-        yield f"{name[: LONGEST_NAME - 8]}_{number}"
+        yield f"{name[: LONGEST_NAME - LONGEST_NUMBER]}_{number}"
 
 
 def _attributes(chain: Chain, layers: dict[str, str]) -> dict[str, Any]:
