@@ -30,9 +30,9 @@ from typing import IO, Any
 import CNCStepper
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.control.processes.python_finder import environment
+from CNCStepper.drawing.read_drawing import SCRIPT
 from CNCStepper.drawing.solids.process_limits import ANSWER, MEMORY_BYTES
 from CNCStepper.errors import JobError, MissingPackage, Place, Text, joined
-from CNCStepper.job.drawings.read_any import SCRIPT
 from CNCStepper.job.drawings.windows_job_object import JobObject
 from CNCStepper.safe_text import printable
 

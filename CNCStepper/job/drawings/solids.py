@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.drawing.drawing import Drawing, Share
-from CNCStepper.drawing.read_drawing import ReadOptions
+from CNCStepper.drawing.read_drawing import SCRIPT, ReadOptions
 from CNCStepper.drawing.solids.edge_curves import canonical, loops_of, ordered
 from CNCStepper.drawing.solids.mesh_outline import outline, outline_area_mm2
 from CNCStepper.drawing.solids.solid_drawing import OUTLINE, solid_drawing
@@ -18,7 +18,6 @@ from CNCStepper.errors import JobError, Place, placed
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.fitting.point_fit import refitted
 from CNCStepper.input_file import read_input
-from CNCStepper.job.drawings.read_any import SCRIPT
 from CNCStepper.job.drawings.solid_process import DOCUMENT, LIMIT_S, read_solid
 
 MOST_BYTES = 100_000_000
