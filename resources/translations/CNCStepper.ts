@@ -4291,6 +4291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add, change and delete the tools of this template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Added between letters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7307,6 +7311,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leave the tools as they were</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8012,6 +8020,10 @@
         </message>
         <message>
             <source>Number the lines…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>OK</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9841,6 +9853,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take these tools into the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10877,11 +10893,19 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tools of the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Tools, materials and cut charts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tools…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19785,10 +19809,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>export the solid as STEP again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21745,6 +21765,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a text in quotes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be true or false</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23321,7 +23357,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
+            <source>set {cadquery} to a Python that has CadQuery</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set {freecad} to FreeCAD's command</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
