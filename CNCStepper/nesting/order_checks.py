@@ -25,10 +25,10 @@ from CNCStepper.tolerances import TOUCHING_PARTS_MM
 
 LEAST_AREA_MM2 = 1e-6
 MOST_MM = 1e6
-INVALID = {  # what shapely says of a polygon, and we
-    "Hole lies outside shell": "a hole of {name} lies beyond its outline",
-    "Holes are nested": "a hole of {name} lies in another one",
-}
+HOLES = (  # a word of what shapely says of a polygon, and what we say
+    ("outside", "a hole of {name} lies beyond its outline"),
+    ("nested", "a hole of {name} lies in another one"),
+)
 
 
 def polygon_from(
@@ -49,9 +49,9 @@ def polygon_from(
 def _crossing(name: str, why: str) -> JobError:
     """Return the refusal of a polygon of which shapely says why, as in "Self-intersection[5 5]"."""
     kind, _, place = why.rstrip("]").partition("[")
-    what = Text(INVALID.get(kind, "the outline of {name} crosses itself"), name=name)
+    what = next((told for word, told in HOLES if word in kind), "the outline of {name} crosses itself")
     value = "X{} Y{}".format(*place.split()) if place else ""
-    return _refusal("nest-crossing", what, value, "draw it anew")
+    return _refusal("nest-crossing", Text(what, name=name), value, "draw it anew")
 
 
 def _require_ring(name: str, ring: Sequence[Sequence[float]]) -> None:

@@ -55,7 +55,7 @@ def run_task(task: Task) -> Result:
 
 
 def _read(task: Task, root: Path, out: Path) -> Result:
-    """Return how long the lines of a part are, mm, how many, and of what it is made; that a job is possible is tried."""
+    """Return length and number of a part's lines, and of what it is made; that a job can be made of it is tried."""
     template = template_of(task, root)
     chains = [chain for _, chain in cut_chains(template, below(root, task["drawing"]))]
     job = _drawn(task, root, out, "part.toml")

@@ -103,7 +103,7 @@ class ClusterWorkers:
             self._client.close()
 
     def results(self, tasks: Sequence[Task]) -> Iterator[tuple[int, Result]]:
-        """Yield the number of each task and its result, as they are done; raises LinkError when the scheduler is lost."""
+        """Yield the number of each task and its result, as they are done; raises LinkError for a lost scheduler."""
         waiting = iter(enumerate(tasks))
         numbers = {self._submitted(task): number for number, task in islice(waiting, IN_FLIGHT)}
         running = _library().as_completed(list(numbers), loop=self._client.loop)

@@ -124,7 +124,8 @@ def _sum(figure: Figure, y: float, total: Figures, look_up: LookUp) -> None:
     _text(figure, COLUMNS[-1][1], y, _price(total).translated(look_up), "right", weight="bold")
     y -= 1.6 * LINE_INCH
     facts = Text(
-        "{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine",
+        "{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, "
+        "{hours:.2f} hours of the machine",
         parts=total.parts,
         sheets=total.sheets,
         metres=total.metres,
