@@ -4291,6 +4291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add, change and delete the tools of this template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Added between letters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7307,6 +7311,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leave the tools as they were</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8012,6 +8020,10 @@
         </message>
         <message>
             <source>Number the lines…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>OK</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9841,6 +9853,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take these tools into the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10877,11 +10893,19 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tools of the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Tools, materials and cut charts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tools…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19817,10 +19841,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>export the solid as STEP again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20877,6 +20897,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its lead is P and its first cut H, F has no meaning in it, and its passes are a macro of the machine (m1076): write each pass as G32 with the lead in F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its letters lean too far</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20914,6 +20938,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>its owner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its passes are a macro of the machine: write its moves as G0 and G1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21766,6 +21794,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>move {letter} on a line of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a text in quotes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be true or false</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23353,7 +23397,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
+            <source>set {cadquery} to a Python that has CadQuery</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set {freecad} to FreeCAD's command</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -4291,6 +4291,10 @@
             <translation>Adicionar</translation>
         </message>
         <message>
+            <source>Add, change and delete the tools of this template</source>
+            <translation>Adicionar, mudar e excluir as ferramentas deste modelo</translation>
+        </message>
+        <message>
             <source>Added between letters</source>
             <translation>Acrescentado entre as letras</translation>
         </message>
@@ -7307,6 +7311,10 @@
             <translation>Deixar fora do programa</translation>
         </message>
         <message>
+            <source>Leave the tools as they were</source>
+            <translation>Deixar as ferramentas como estavam</translation>
+        </message>
+        <message>
             <source>Left on the cone for a last pass along it; 0: none</source>
             <translation>Deixado no cone para um último passe ao longo dele; 0: nenhum</translation>
         </message>
@@ -8013,6 +8021,10 @@
         <message>
             <source>Number the lines…</source>
             <translation>Numerar as linhas…</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>OK</translation>
         </message>
         <message>
             <source>Objects</source>
@@ -9843,6 +9855,10 @@ altura</translation>
             <translation>Usa o modelo de um arquivo</translation>
         </message>
         <message>
+            <source>Take these tools into the template</source>
+            <translation>Levar estas ferramentas para o modelo</translation>
+        </message>
+        <message>
             <source>Take {0}</source>
             <translation>Usar {0}</translation>
         </message>
@@ -10879,12 +10895,20 @@ altura</translation>
             <translation>Ferramentas e materiais</translation>
         </message>
         <message>
+            <source>Tools of the template</source>
+            <translation>Ferramentas do modelo</translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
         </message>
         <message>
             <source>Tools, materials and cut charts</source>
             <translation>Ferramentas, materiais e tabelas de corte</translation>
+        </message>
+        <message>
+            <source>Tools…</source>
+            <translation>Ferramentas…</translation>
         </message>
         <message>
             <source>Toothed belt</source>
@@ -19841,10 +19865,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>exporte o próprio corpo, como STEP, BREP ou STL</translation>
         </message>
         <message>
-            <source>export the solid as STEP again</source>
-            <translation>exporte o sólido de novo como STEP</translation>
-        </message>
-        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation>expressões entre colchetes não fazem parte deste dialeto</translation>
         </message>
@@ -20901,6 +20921,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>seus nós não crescem</translation>
         </message>
         <message>
+            <source>its lead is P and its first cut H, F has no meaning in it, and its passes are a macro of the machine (m1076): write each pass as G32 with the lead in F</source>
+            <translation>o passo dele é P e o primeiro corte H, F não tem sentido nele, e as passadas são uma macro da máquina (m1076): escreva cada passada como G32 com o passo em F</translation>
+        </message>
+        <message>
             <source>its letters lean too far</source>
             <translation>as suas letras inclinam-se demais</translation>
         </message>
@@ -20939,6 +20963,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>its owner</source>
             <translation>seu proprietário</translation>
+        </message>
+        <message>
+            <source>its passes are a macro of the machine: write its moves as G0 and G1</source>
+            <translation>as passadas dele são uma macro da máquina: escreva os movimentos como G0 e G1</translation>
         </message>
         <message>
             <source>its program has ended with M02</source>
@@ -21791,6 +21819,22 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>move {letter} on a line of its own</source>
             <translation>mova {letter} em uma linha própria</translation>
+        </message>
+        <message>
+            <source>must be a list</source>
+            <translation>deve ser uma lista</translation>
+        </message>
+        <message>
+            <source>must be a table</source>
+            <translation>deve ser uma tabela</translation>
+        </message>
+        <message>
+            <source>must be a text in quotes</source>
+            <translation>deve ser um texto entre aspas</translation>
+        </message>
+        <message>
+            <source>must be true or false</source>
+            <translation>deve ser true ou false</translation>
         </message>
         <message>
             <source>must be {number} from {words}</source>
@@ -23377,8 +23421,12 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>ponha width_mm em no máximo {width_mm:.2f}</translation>
         </message>
         <message>
-            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
-            <translation>aponte {cadquery} para um Python que tenha o CadQuery, ou {freecad} para o comando do FreeCAD</translation>
+            <source>set {cadquery} to a Python that has CadQuery</source>
+            <translation>aponte {cadquery} para um Python que tenha o CadQuery</translation>
+        </message>
+        <message>
+            <source>set {freecad} to FreeCAD's command</source>
+            <translation>aponte {freecad} para o comando do FreeCAD</translation>
         </message>
         <message>
             <source>sets G92 as it was: {array}</source>

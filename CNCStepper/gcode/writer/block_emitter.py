@@ -261,6 +261,10 @@ class BlockEmitter:
         if not self.dialect.feed_is_setting:  # else no operator changes it meanwhile
             self._feed = ""
 
+    def forget_feed(self) -> None:
+        """Let the next cut write its F, since a lead is in force as one."""
+        self._feed = ""
+
     def begin_at(self, at: Counts) -> None:
         """Set the machine's position at the program's begin; the first move names its axes all the same."""
         is_known = self.dialect.starts_at_work_zero and not any(at)  # zero, or an axis that the language lacks
@@ -275,8 +279,11 @@ class BlockEmitter:
 
     def move(self, kind: int, end: Counts, feed_mm_min: float = 0.0, nowhere: bool = False) -> None:
         """Write a straight move; where it leads nowhere only if `nowhere`."""
-        end = [near_step(count, step) for count, step in zip(end, self.step_counts, strict=True)]
-        changes = self._distance_word(kind) if nowhere or self._axes(end) else ""
+        if any(self.step_counts):
+            end = [near_step(count, step) for count, step in zip(end, self.step_counts, strict=True)]
+        if not (nowhere or self._axes(end)):
+            return
+        changes = self._distance_word(kind)
         axes = self._axes(end)
         if not axes and nowhere:
             axes = [self._axis(axis, count) for axis in self._own_axes if (count := end[axis]) is not None][:1]
@@ -299,8 +306,8 @@ class BlockEmitter:
         first, second, _ = PLANE_AXES[plane]
         self._stale |= {first, second}
         axes = self._axes(end)
-        centre = {axis: count + self._centre_origin(axis) for axis, count in zip((first, second), offset, strict=True)}
-        words = [f"{CENTRES[axis]}{self.grid.text(centre[axis])}" for axis in sorted(centre)]
+        centres = sorted(zip((first, second), offset, strict=True))
+        words = [f"{CENTRES[axis]}{self.grid.text(count + self._centre_origin(axis))}" for axis, count in centres]
         word = self._motion_word(kind) or self._name(kind)  # an arc always has its motion word
         self.line(word, *axes, *words, f"P{turns}" if turns > 1 else "", self._feed_word(kind, feed_mm_min))
         self._arrive(end)
@@ -331,9 +338,12 @@ class BlockEmitter:
         self.line(name, *words)
         self._arrive([*end])
 
-    def profile_cycle(self, name: str, words: list[str], feed_mm_min: float, end: tuple[int, int, int]) -> None:
+    def cycle_feed(self, feed_mm_min: float) -> str:
+        """Return F of a cycle's cuts where it is not in force, else nothing."""
+        return self._feed_word(LINE, feed_mm_min)
+
+    def profile_cycle(self, name: str, words: list[str], end: tuple[int, int, int]) -> None:
         """Write a cycle along a profile, which leads to `end`."""
-        self.line(self._feed_word(LINE, feed_mm_min))
         self.line(name, *words)
         self._motion = ""
         self._arrive([*end])
@@ -380,15 +390,16 @@ class BlockEmitter:
 
     def _axes(self, end: Counts) -> list[str]:
         """Return the coordinates that must be written; an axis that the dialect lacks stays where it is."""
+        at, stale, own = self.at, self._stale, self._own_axes
         due = [
             axis
             for axis, count in enumerate(end)
-            if count is not None and (count != self.at[axis] or axis in self._stale)
-            if axis in self._own_axes or (self.at[axis] is not None and not self.dialect.plasma)
+            if count is not None and (count != at[axis] or axis in stale)
+            if axis in own or (at[axis] is not None and not self.dialect.plasma)
         ]
         if due and self.writing.whole_ends:
             due = sorted({*due, *self._own_axes})
-            end = [at if count is None else count for count, at in zip(end, self.at, strict=True)]
+            end = [stays if count is None else count for count, stays in zip(end, at, strict=True)]
         return [self._axis(axis, count) for axis in due if (count := end[axis]) is not None]
 
     def _axis(self, axis: int, count: int) -> str:
