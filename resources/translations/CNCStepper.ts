@@ -16457,6 +16457,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>EXISTS asks for a parameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16882,10 +16886,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>PID eq {0}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
