@@ -113,7 +113,8 @@ class Operation(Command):
             found.require()
         tool = self.tool(job)
         values = self.values(job, tool, bool(found.used))
-        operation = api.add_operation(job, self.cycle, tool=tool, drawings=found.used, **values)
+        drawn = {"drawings": found.used} if found.used else {}  # of a lathe some operations cannot have any
+        operation = api.add_operation(job, self.cycle, tool=tool, **drawn, **values)
         operation.Proxy.unused = found.refusals
         return labelled(operation, tr(self.label))
 
