@@ -139,9 +139,9 @@ def check_steps(text: str, twin: Any, machine: str) -> None:
 def test_an_acceptance_part_from_the_job_to_the_last_step(
     hand: Hand,
     panel: Any,
-    twins: Any,
+    twins: Any,  # noqa: F811
     machine: str,
-    name: str,  # noqa: F811
+    name: str,
 ) -> None:
     job = hand.main(new_job, name, machine, limit_s=60)
     simulated(hand)
