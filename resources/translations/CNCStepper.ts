@@ -17349,6 +17349,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a left-hand {kind} tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17973,11 +17977,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a {kind} tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {kind} tool has no insert of ISO 1832</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {kind} tool {verb} {key}</source>
+            <source>a {kind} tool has no {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {kind} tool needs {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18602,6 +18614,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19581,6 +19597,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill a narrower hole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19597,7 +19617,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>drill {0} mm</source>
+            <source>drill {diameter:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20266,10 +20286,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>hard limits</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>has no</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22097,7 +22113,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nose {0} mm</source>
+            <source>nose {nose:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22509,7 +22525,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>parting blade {0} mm</source>
+            <source>parting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parting blade {width:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27325,6 +27345,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27486,6 +27510,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>turn with at most {most:.4g} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -15962,7 +15962,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>'{insert}' is no insert of a {kind} tool</source>
-            <translation>'{insert}' não é pastilha de uma ferramenta {kind}</translation>
+            <translation>'{insert}' não é pastilha de uma ferramenta de {kind}</translation>
         </message>
         <message>
             <source>'{key}' cannot be {value!r}</source>
@@ -17373,6 +17373,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma entrada ou um corte atravessa uma peça</translation>
         </message>
         <message>
+            <source>a left-hand {kind} tool</source>
+            <translation>uma ferramenta de {kind} à esquerda</translation>
+        </message>
+        <message>
             <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
             <translation>um fim de curso ou porta de segurança fica num pino com número e sem porta: na porta da própria máquina</translation>
         </message>
@@ -17997,12 +18001,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
-            <source>a {kind} tool has no insert of ISO 1832</source>
-            <translation>uma ferramenta {kind} não tem pastilha da ISO 1832</translation>
+            <source>a {kind} tool</source>
+            <translation>uma ferramenta de {kind}</translation>
         </message>
         <message>
-            <source>a {kind} tool {verb} {key}</source>
-            <translation>uma ferramenta {kind} {verb} {key}</translation>
+            <source>a {kind} tool has no insert of ISO 1832</source>
+            <translation>uma ferramenta de {kind} não tem pastilha da ISO 1832</translation>
+        </message>
+        <message>
+            <source>a {kind} tool has no {key}</source>
+            <translation>uma ferramenta de {kind} não tem {key}</translation>
+        </message>
+        <message>
+            <source>a {kind} tool needs {key}</source>
+            <translation>uma ferramenta de {kind} precisa de {key}</translation>
         </message>
         <message>
             <source>a {shape} does not cut from the edge</source>
@@ -18627,6 +18639,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
             <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
+        </message>
+        <message>
+            <source>boring</source>
+            <translation>mandrilar</translation>
         </message>
         <message>
             <source>boring takes a tool for the inside</source>
@@ -19605,6 +19621,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
         </message>
         <message>
+            <source>drill</source>
+            <translation>furar</translation>
+        </message>
+        <message>
             <source>drill a narrower hole</source>
             <translation>fure um furo mais estreito</translation>
         </message>
@@ -19621,8 +19641,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>fure mais largo</translation>
         </message>
         <message>
-            <source>drill {0} mm</source>
-            <translation>broca de {0} mm</translation>
+            <source>drill {diameter:g} mm</source>
+            <translation>broca de {diameter:g} mm</translation>
         </message>
         <message>
             <source>drill {more:.4g} mm deeper before it</source>
@@ -20291,10 +20311,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>hard limits</source>
             <translation>limites físicos</translation>
-        </message>
-        <message>
-            <source>has no</source>
-            <translation>não tem</translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -22121,8 +22137,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>raio de ponta {0} mm</translation>
         </message>
         <message>
-            <source>nose {0} mm</source>
-            <translation>ponta de {0} mm</translation>
+            <source>nose {nose:g} mm</source>
+            <translation>ponta de {nose:g} mm</translation>
         </message>
         <message>
             <source>not a DXF file: {why}</source>
@@ -22533,8 +22549,12 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a peça {number} passa da chapa em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
-            <source>parting blade {0} mm</source>
-            <translation>bedame de {0} mm</translation>
+            <source>parting</source>
+            <translation>sangrar</translation>
+        </message>
+        <message>
+            <source>parting blade {width:g} mm</source>
+            <translation>bedame de {width:g} mm</translation>
         </message>
         <message>
             <source>parting off takes a blade for the outside</source>
@@ -27349,6 +27369,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>os de splines contam {spline_weight} vezes</translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation>roscar</translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation>roscas só podem ser cortadas no plano ZX</translation>
         </message>
@@ -27511,6 +27535,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>turn with at most {most:.4g} rpm</source>
             <translation>gire no máximo a {most:.4g} rpm</translation>
+        </message>
+        <message>
+            <source>turning</source>
+            <translation>tornear</translation>
         </message>
         <message>
             <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
