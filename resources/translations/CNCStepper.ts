@@ -9957,6 +9957,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The depth below the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23258,6 +23262,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>set the machine's settings again, then home it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set the work zero anew and send it whole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -9959,6 +9959,10 @@ altura</translation>
             <translation>O corte é simulado e verificado.</translation>
         </message>
         <message>
+            <source>The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment.</source>
+            <translation>O corte de um torno não é mostrado enquanto corre: Verificar e simular o mostra em qualquer momento.</translation>
+        </message>
+        <message>
             <source>The depth below the top of the stock</source>
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
@@ -23283,6 +23287,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>set the machine's settings again, then home it</source>
             <translation>configure a máquina de novo e referencie-a</translation>
+        </message>
+        <message>
+            <source>set the work zero anew and send it whole</source>
+            <translation>ajuste de novo o zero de trabalho e envie-o inteiro</translation>
         </message>
         <message>
             <source>set the zero again</source>

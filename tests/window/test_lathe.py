@@ -151,5 +151,7 @@ def test_every_panel_of_the_lathe(hand: Hand, language: str) -> None:
         hand.main(panels.edit, obj)
         hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, "the panel")
         hand.shot(f"lathe-{language}-{hand.main(proxy_type, obj)}")
+        if hand.exists(f"{PANEL}tool"):
+            assert hand.main(lambda: places.find(f"{PANEL}tool").toolTip()).startswith("T1 CNMG 120408\n")
         hand.click(f"{PANEL}cancel")
         hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
