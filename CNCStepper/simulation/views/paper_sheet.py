@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from io import BytesIO, StringIO
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -223,7 +224,7 @@ def _seen(toolpath: Toolpath) -> tuple[int, int]:
 
 def _workpiece(sheet: Sheet, seen: list[int]) -> Polygon | Rectangle | None:
     """Return the outline of the stock or the bar as it is seen, None where neither is known."""
-    style = {"fc": STOCK_COLOUR, "ec": INK, "lw": 1.0, "zorder": 1}
+    style: dict[str, Any] = {"fc": STOCK_COLOUR, "ec": INK, "lw": 1.0, "zorder": 1}
     stock = sheet.stock
     if sheet.bar_mm is not None:
         low, high = sheet.bar_mm[:, seen]
