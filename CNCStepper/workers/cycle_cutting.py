@@ -167,7 +167,7 @@ class Answers:
         return {"texts": texts, "paths": [path_text(job, machine, text, part["title"]) for _, text in texts]}
 
     def _turned_sheet(self, part: dict[str, Any]) -> dict[str, Any]:
-        from CNCStepper.job.turning.turned_sheet import write_turned_sheet
+        from CNCStepper.job.files.program_sheet import write_turned_sheet
         from CNCStepper.job.turning.turning_transfer import job_from
 
         return {"written": write_turned_sheet(part["sheet"], *job_from(part["of"]["turned_program"]))}
