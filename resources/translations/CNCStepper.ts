@@ -18065,15 +18065,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>above {0} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>above {bore:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above {floor:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above {least:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18357,23 +18361,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at least {0} deg</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>at least {0} deg: a nose angle of {1} deg or less</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>at least {0} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>at least {chord:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg: a nose angle of {nose:.4g} deg or less</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {least:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18413,10 +18417,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at most {0} deg: an entering angle of {1} deg or more</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>at most {largest_tool}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18430,6 +18430,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {rising:.4g} deg: an entering angle of {entering:.4g} deg or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18497,7 +18501,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back edge at {0} deg</source>
+            <source>back edge at {back:.4g} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18586,6 +18590,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>below {depth_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>below {floor:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19913,7 +19921,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>from z {0} mm by {1} mm</source>
+            <source>from z {z:.4g} mm by {back:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19921,7 +19929,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>front edge at {0} deg</source>
+            <source>front edge at {front:.4g} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22133,7 +22141,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nose radius {0} mm</source>
+            <source>nose radius {nose:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22785,7 +22793,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>radius {0} mm at z {1} mm</source>
+            <source>radius {radius:.4g} mm at z {z:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26725,7 +26733,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool runs into the {obstacle}</source>
+            <source>the tool runs into the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool runs into the jaws</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool runs into the tailstock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29034,6 +29050,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{file}, {total} lines to send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{first:.4g} and {second:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -18089,16 +18089,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acima de 0, abaixo de {diameter_mm:g} mm</translation>
         </message>
         <message>
-            <source>above {0} mm</source>
-            <translation>acima de {0} mm</translation>
-        </message>
-        <message>
             <source>above {bore:g} mm</source>
             <translation>acima de {bore:g} mm</translation>
         </message>
         <message>
+            <source>above {floor:.3f} mm</source>
+            <translation>acima de {floor:.3f} mm</translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation>acima de {highest_cut:g} mm</translation>
+        </message>
+        <message>
+            <source>above {least:g} mm</source>
+            <translation>acima de {least:g} mm</translation>
         </message>
         <message>
             <source>act = "switch" and line belong together</source>
@@ -18381,24 +18385,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
-            <source>at least {0} deg</source>
-            <translation>pelo menos {0} graus</translation>
-        </message>
-        <message>
-            <source>at least {0} deg: a nose angle of {1} deg or less</source>
-            <translation>no mínimo {0} graus: um ângulo de ponta de {1} graus ou menos</translation>
-        </message>
-        <message>
-            <source>at least {0} mm</source>
-            <translation>no mínimo {0} mm</translation>
-        </message>
-        <message>
             <source>at least {chord:.4f} mm</source>
             <translation>ao menos {chord:.4f} mm</translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
             <translation>ao menos {depth_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg</source>
+            <translation>no mínimo {falling:.4g} graus</translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg: a nose angle of {nose:.4g} deg or less</source>
+            <translation>no mínimo {falling:.4g} graus: um ângulo de ponta de {nose:.4g} graus ou menos</translation>
+        </message>
+        <message>
+            <source>at least {least:.4g} mm</source>
+            <translation>no mínimo {least:.4g} mm</translation>
         </message>
         <message>
             <source>at least {least:g} mm</source>
@@ -18437,10 +18441,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>no máximo {0} graus</translation>
         </message>
         <message>
-            <source>at most {0} deg: an entering angle of {1} deg or more</source>
-            <translation>no máximo {0} graus: um ângulo de posição de {1} graus ou mais</translation>
-        </message>
-        <message>
             <source>at most {largest_tool}</source>
             <translation>no máximo {largest_tool}</translation>
         </message>
@@ -18455,6 +18455,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
             <translation>no máximo {narrowest_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>at most {rising:.4g} deg: an entering angle of {entering:.4g} deg or more</source>
+            <translation>no máximo {rising:.4g} graus: um ângulo de posição de {entering:.4g} graus ou mais</translation>
         </message>
         <message>
             <source>at most {room_mm:.3f} mm</source>
@@ -18521,8 +18525,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>volta pelo corte</translation>
         </message>
         <message>
-            <source>back edge at {0} deg</source>
-            <translation>aresta de trás a {0} graus</translation>
+            <source>back edge at {back:.4g} deg</source>
+            <translation>aresta de trás a {back:.4g} graus</translation>
         </message>
         <message>
             <source>back to where the program paused: up, over, down</source>
@@ -18611,6 +18615,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>below {depth_mm:g} mm</source>
             <translation>abaixo de {depth_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>below {floor:.3f} mm</source>
+            <translation>abaixo de {floor:.3f} mm</translation>
         </message>
         <message>
             <source>below {length_mm:.3f} mm</source>
@@ -19937,16 +19945,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>daqui em diante os achados deste tipo não são listados</translation>
         </message>
         <message>
-            <source>from z {0} mm by {1} mm</source>
-            <translation>a partir de z {0} mm, por {1} mm</translation>
+            <source>from z {z:.4g} mm by {back:.4g} mm</source>
+            <translation>a partir de z {z:.4g} mm, por {back:.4g} mm</translation>
         </message>
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation>de {begin} na linha {first_line} a {end} na linha {last_line}</translation>
         </message>
         <message>
-            <source>front edge at {0} deg</source>
-            <translation>aresta da frente a {0} graus</translation>
+            <source>front edge at {front:.4g} deg</source>
+            <translation>aresta da frente a {front:.4g} graus</translation>
         </message>
         <message>
             <source>full circles became two arcs</source>
@@ -22157,8 +22165,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>raio de ponta</translation>
         </message>
         <message>
-            <source>nose radius {0} mm</source>
-            <translation>raio de ponta {0} mm</translation>
+            <source>nose radius {nose:g} mm</source>
+            <translation>raio de ponta {nose:g} mm</translation>
         </message>
         <message>
             <source>nose {nose:g} mm</source>
@@ -22809,8 +22817,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>raio no fim de 0 mm ou mais</translation>
         </message>
         <message>
-            <source>radius {0} mm at z {1} mm</source>
-            <translation>raio {0} mm em z {1} mm</translation>
+            <source>radius {radius:.4g} mm at z {z:.4g} mm</source>
+            <translation>raio {radius:.4g} mm em z {z:.4g} mm</translation>
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
@@ -26749,8 +26757,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a correção da ferramenta não pode ser mudada</translation>
         </message>
         <message>
-            <source>the tool runs into the {obstacle}</source>
-            <translation>a ferramenta colide com: {obstacle}</translation>
+            <source>the tool runs into the chuck</source>
+            <translation>a ferramenta colide com a placa</translation>
+        </message>
+        <message>
+            <source>the tool runs into the jaws</source>
+            <translation>a ferramenta colide com as castanhas</translation>
+        </message>
+        <message>
+            <source>the tool runs into the tailstock</source>
+            <translation>a ferramenta colide com o contraponto</translation>
         </message>
         <message>
             <source>the tool table cannot be read again</source>
@@ -29059,6 +29075,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{file}, {total} lines to send</source>
             <translation>{file}, {total} linhas a enviar</translation>
+        </message>
+        <message>
+            <source>{first:.4g} and {second:.4g} mm</source>
+            <translation>{first:.4g} e {second:.4g} mm</translation>
         </message>
         <message>
             <source>{first_file}: restart that one again; its restart's cuts count as cut</source>
