@@ -17265,6 +17265,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a drilling tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a face of '{label}' does not run round the axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19190,6 +19194,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>copy it again and compare its size</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>copy only the cells of the parts</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21482,6 +21490,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>make several jobs of this one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make several tables of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26605,6 +26617,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the text is too long for a table of parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the thickness of material {number}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27162,6 +27178,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>there was nothing to read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>these are more parts than one table takes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -17289,6 +17289,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma broca anda de lado dentro do material</translation>
         </message>
         <message>
+            <source>a drilling tool</source>
+            <translation>uma ferramenta de furar</translation>
+        </message>
+        <message>
             <source>a face of '{label}' does not run round the axis</source>
             <translation>uma face de '{label}' não contorna o eixo</translation>
         </message>
@@ -19215,6 +19219,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>copy it again and compare its size</source>
             <translation>copie-o de novo e compare o tamanho</translation>
+        </message>
+        <message>
+            <source>copy only the cells of the parts</source>
+            <translation>copie só as células das peças</translation>
         </message>
         <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
@@ -21507,6 +21515,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>make several jobs of this one</source>
             <translation>faça vários trabalhos deste</translation>
+        </message>
+        <message>
+            <source>make several tables of them</source>
+            <translation>faça delas várias tabelas</translation>
         </message>
         <message>
             <source>make several texts of it</source>
@@ -26629,6 +26641,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o texto é longo demais</translation>
         </message>
         <message>
+            <source>the text is too long for a table of parts</source>
+            <translation>o texto é longo demais para uma tabela de peças</translation>
+        </message>
+        <message>
             <source>the thickness of material {number}</source>
             <translation>a espessura do material {number}</translation>
         </message>
@@ -27187,6 +27203,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>there was nothing to read</source>
             <translation>não havia nada para ler</translation>
+        </message>
+        <message>
+            <source>these are more parts than one table takes</source>
+            <translation>são mais peças do que uma tabela comporta</translation>
         </message>
         <message>
             <source>these diagonals belong to no rectangle of these sides</source>
