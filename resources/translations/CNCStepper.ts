@@ -20869,6 +20869,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its lead is P and its first cut H, F has no meaning in it, and its passes are a macro of the machine (m1076): write each pass as G32 with the lead in F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its letters lean too far</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20906,6 +20910,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>its owner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its passes are a macro of the machine: write its moves as G0 and G1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
