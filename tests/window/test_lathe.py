@@ -68,9 +68,9 @@ def test_a_shaft_by_mouse_and_keyboard(hand: Hand, tmp_path: Path, monkeypatch: 
     begin(hand, "CNCStepper_TurnRough", "Profile")
     assert hand.main(colours, hand.find(f"{PANEL}picture")) > 3
     hand.fill(f"{PANEL}ap_mm", "1,25")
-    hand.wait(lambda: the("TurnRough").Ap.Value == 1.25, 10, "the depth")
+    hand.wait(lambda: the("TurnRough").Ap.Value == 1.25, 60, "the depth")
     hand.fill(f"{PANEL}feed_mm_rev", "20")
-    hand.wait(lambda: "at most" in note("feed_mm_rev"), 10, "the refusal")
+    hand.wait(lambda: "at most" in note("feed_mm_rev"), 60, "the refusal")
     hand.fill(f"{PANEL}feed_mm_rev", "0.25")
     hand.shot("lathe-3-roughing")
     accept(hand)
