@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 import numpy as np
 
-from CNCStepper.toolpath import ARC_CW, LINE, RAPID, XY, Chunk, Toolpath
+from CNCStepper.toolpath import ARC_CW, LINE, RAPID, XY, Toolpath
 
 MOST_MOVES = 20_000
 NAMES = ("G0", "G1", "G2", "G3")
@@ -21,7 +23,10 @@ def commands(toolpath: Toolpath, most: int = MOST_MOVES) -> list[Command]:
     table, begins = toolpath.table(), toolpath.begins()
     rows = kept_rows(table.kind, most)
     follows = np.diff(rows, prepend=-1) == 1
-    return [_command(table, begins, row, bool(whole)) for row, whole in zip(rows, follows, strict=True)]
+    is_arc = (table.kind >= ARC_CW) & (table.plane == XY) & (table.turns == 1)
+    kinds = np.where(is_arc[rows] & follows, table.kind[rows], np.minimum(table.kind[rows], LINE))
+    ends, centres = table.end[rows, :3], table.centre[rows, :2] - begins[rows, :2]
+    return [_command(*row) for row in zip(kinds.tolist(), ends.tolist(), centres.tolist(), strict=True)]
 
 
 def gcode(moves: list[Command]) -> str:
@@ -51,12 +56,9 @@ def _evenly(count: int, wanted: int) -> np.ndarray:
     return (np.arange(1, wanted + 1) * count) // wanted - 1
 
 
-def _command(table: Chunk, begins: np.ndarray, row: int, whole: bool) -> Command:
-    kind = int(table.kind[row])
-    words = {axis: float(value) for axis, value in zip("XYZ", table.end[row], strict=False) if np.isfinite(value)}
+def _command(kind: int, end_mm: list[float], centre_mm: list[float]) -> Command:
+    """Return a move as a command; centre_mm: of an arc, from its begin."""
+    words = {axis: value for axis, value in zip("XYZ", end_mm, strict=False) if isfinite(value)}
     if kind >= ARC_CW:
-        if whole and table.plane[row] == XY and table.turns[row] == 1:
-            words["I"], words["J"] = (float(value) for value in (table.centre[row] - begins[row, :3])[:2])
-        else:
-            kind = LINE
+        words["I"], words["J"] = centre_mm
     return NAMES[kind], words

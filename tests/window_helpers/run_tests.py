@@ -79,6 +79,18 @@ def close_now():
     FreeCADGui.getMainWindow().close()
 
 
+def paint_views_apart(area):
+    """Give the area of the 3D views a window of its own within FreeCAD's.
+
+    Where one window has both, Qt has OpenGL put all of it together whenever a label beside the view changes: 15 ms of
+    the processor, a quarter of what a run costs. FreeCAD 1.1 lays panels over the view, which takes one window.
+    """
+    from PySide import QtCore
+
+    area.setAttribute(QtCore.Qt.WidgetAttribute.WA_NativeWindow)
+    area.winId()
+
+
 def begin():
     """Start pytest's thread; FreeCAD is up now and handles events."""
     import FreeCAD
@@ -90,6 +102,8 @@ def begin():
     print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "Python", sys.version.split()[0], file=sys.__stdout__, flush=True)
     FreeCADGui.getMainWindow().showMaximized()
     QtGui.QApplication.setCursorFlashTime(0)  # a cursor that blinks has the whole 3D view painted, by the processor
+    if FreeCAD.Version()[:2] < ["1", "1"]:
+        paint_views_apart(FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea))
     sys.argv = ["pytest"]
     link = interface.Interface()
     keeper = interface.Keeper((str(TESTS / "window"), str(TESTS / "window_helpers")))

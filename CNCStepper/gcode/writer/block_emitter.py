@@ -279,8 +279,11 @@ class BlockEmitter:
 
     def move(self, kind: int, end: Counts, feed_mm_min: float = 0.0, nowhere: bool = False) -> None:
         """Write a straight move; where it leads nowhere only if `nowhere`."""
-        end = [near_step(count, step) for count, step in zip(end, self.step_counts, strict=True)]
-        changes = self._distance_word(kind) if nowhere or self._axes(end) else ""
+        if any(self.step_counts):
+            end = [near_step(count, step) for count, step in zip(end, self.step_counts, strict=True)]
+        if not (nowhere or self._axes(end)):
+            return
+        changes = self._distance_word(kind)
         axes = self._axes(end)
         if not axes and nowhere:
             axes = [self._axis(axis, count) for axis in self._own_axes if (count := end[axis]) is not None][:1]
@@ -303,8 +306,8 @@ class BlockEmitter:
         first, second, _ = PLANE_AXES[plane]
         self._stale |= {first, second}
         axes = self._axes(end)
-        centre = {axis: count + self._centre_origin(axis) for axis, count in zip((first, second), offset, strict=True)}
-        words = [f"{CENTRES[axis]}{self.grid.text(centre[axis])}" for axis in sorted(centre)]
+        centres = sorted(zip((first, second), offset, strict=True))
+        words = [f"{CENTRES[axis]}{self.grid.text(count + self._centre_origin(axis))}" for axis, count in centres]
         word = self._motion_word(kind) or self._name(kind)  # an arc always has its motion word
         self.line(word, *axes, *words, f"P{turns}" if turns > 1 else "", self._feed_word(kind, feed_mm_min))
         self._arrive(end)
@@ -387,15 +390,16 @@ class BlockEmitter:
 
     def _axes(self, end: Counts) -> list[str]:
         """Return the coordinates that must be written; an axis that the dialect lacks stays where it is."""
+        at, stale, own = self.at, self._stale, self._own_axes
         due = [
             axis
             for axis, count in enumerate(end)
-            if count is not None and (count != self.at[axis] or axis in self._stale)
-            if axis in self._own_axes or (self.at[axis] is not None and not self.dialect.plasma)
+            if count is not None and (count != at[axis] or axis in stale)
+            if axis in own or (at[axis] is not None and not self.dialect.plasma)
         ]
         if due and self.writing.whole_ends:
             due = sorted({*due, *self._own_axes})
-            end = [at if count is None else count for count, at in zip(end, self.at, strict=True)]
+            end = [stays if count is None else count for count, stays in zip(end, at, strict=True)]
         return [self._axis(axis, count) for axis in due if (count := end[axis]) is not None]
 
     def _axis(self, axis: int, count: int) -> str:

@@ -52,6 +52,8 @@ class RowWriter:
         self._begins, self._begin_counts = begins.tolist(), _whole(begins)
         self._ends, self._end_counts = ends.tolist(), _whole(ends)
         self._centres = self.grid.exact(table.centre - offsets).tolist()
+        self.kinds, self._feeds = table.kind.tolist(), table.feed.tolist()
+        self._planes, self.turns = table.plane.tolist(), table.turns.tolist()
 
     def any_height(self, first: int, last: int) -> bool:
         """Whether a height of the rows [first, last) is known."""
@@ -59,11 +61,11 @@ class RowWriter:
 
     def write(self, row: int) -> None:
         """Write one row; what rounds to no move at all is left out."""
-        begin, end, kind = self._begin_counts[row], self._end_counts[row], int(self.table.kind[row])
+        begin, end, kind = self._begin_counts[row], self._end_counts[row], self.kinds[row]
         self._check_known(row)
         if self.options.retract and kind in (RAPID, LINE) and begin == end:
             return
-        feed = float(self.table.feed[row]) if kind != RAPID else self.options.rapid_mm_min
+        feed = self._feeds[row] if kind != RAPID else self.options.rapid_mm_min
         if self.lifted:
             self._approach(begin, end, kind, feed)
         if kind in (RAPID, LINE):
@@ -131,7 +133,7 @@ class RowWriter:
             self.page.move(RAPID if up else LINE, [None, None, z], self.options.rapid_mm_min if up else feed)
 
     def _arc(self, row: int, kind: int, feed: float) -> None:
-        plane = int(self.table.plane[row])
+        plane = self._planes[row]
         first, second, normal = PLANE_AXES[plane]
         begin, end = self._begins[row], self._ends[row]
         limits = self._chords if self._becomes_lines(row, plane) else self._limits
@@ -172,11 +174,11 @@ class RowWriter:
 
     def _turns(self, row: int, clockwise: bool, limits: Limits) -> Iterator[tuple[TrueArc, float, float, int]]:
         """Yield (arc, share of the row at its begin, at its end, P word) for each arc to be written."""
-        first, second, _ = PLANE_AXES[int(self.table.plane[row])]
+        first, second, _ = PLANE_AXES[self._planes[row]]
         points = (self._begins[row], self._ends[row], self._centres[row])
         begin, end, centre = ((point[first], point[second]) for point in points)
         last = TrueArc(begin, end, centre, clockwise)
-        turns = int(self.table.turns[row])
+        turns = self.turns[row]
         if turns == 1:
             yield from self._halves(row, last, 0.0, 1.0)
             return
@@ -232,8 +234,8 @@ class RowWriter:
         self.page.notes.add(what, int(self.table.line[row]))
 
     def _check_known(self, row: int) -> None:
-        for axis in range(3):
-            if isnan(self._ends[row][axis]) and not isnan(self._begins[row][axis]):
+        for axis, (begin, end) in enumerate(zip(self._begins[row], self._ends[row], strict=True)):
+            if isnan(end) and not isnan(begin):
                 raise self._refusal(row, Text("the row leads to an unknown place along {axis}", axis=AXES[axis]))
 
     def _refusal(self, row: int, what: str) -> ProgramError:

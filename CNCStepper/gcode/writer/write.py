@@ -173,7 +173,7 @@ class _Writer:
                     self._happen(events[row], self.states[row_states[row]], row)
                 self._follow_plane(self.states[row_states[row]], row)
                 self._begin(begins[row])
-                self.switches.before_move(int(self.rows.table.kind[row]))
+                self.switches.before_move(self.rows.kinds[row])
                 row = self._row(row, last)
                 self._progress(row / last)
         except ProgramError as error:
@@ -198,7 +198,7 @@ class _Writer:
 
     def _happen(self, events: list[Event], state: State, row: int) -> None:
         """Write the events before a row, and bring the machine into the row's state."""
-        self.switches.goes_on = self.rows.table.kind[row] != RAPID
+        self.switches.goes_on = self.rows.kinds[row] != RAPID
         if state.tool not in (0, self.switches.tool):
             events = self._change_tool(events, state, row)
         for event in events:
@@ -237,8 +237,8 @@ class _Writer:
 
     def _follow_plane(self, state: State, row: int) -> None:
         """Select the plane of a state too where no arc needs it, in a program that is to be as it was."""
-        plane, is_arc = PLANE_NAMES.index(state.plane), self.rows.table.turns[row] > 0
-        if not (self.options.retract or is_arc) and self.page.has_plane(plane):
+        plane = PLANE_NAMES.index(state.plane)
+        if not (self.options.retract or self.rows.turns[row]) and self.page.has_plane(plane):
             self.page.select_plane(plane)
 
     def _wait_or_comment(self, event: Event) -> None:

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
@@ -26,7 +26,7 @@ from CNCStepper.kernels import COMPILED
 from CNCStepper.machine.tools.tool_profile import Form
 from CNCStepper.simulation.cutter_solid import Tools
 from CNCStepper.simulation.removal.removal_moves import Moves, moves_of
-from CNCStepper.simulation.removal.tile_kernels import TILE, bins, cut_tile
+from CNCStepper.simulation.removal.tile_kernels import TILE, bins, means_apart, tile_after
 from CNCStepper.simulation.stock import Stock
 from CNCStepper.simulation.tip_segments import Segments
 from CNCStepper.toolpath import Toolpath
@@ -42,24 +42,34 @@ class Tile:
     Most cells' mean is their height, or the stock's bottom where that is lower; only the others are kept.
     """
 
-    __slots__ = ("_bottom", "_places", "_values", "heights")
+    __slots__ = ("_bottom", "columns")
 
-    def __init__(self, heights: np.ndarray, means: np.ndarray, bottom_mm: float):
-        self.heights, self._bottom = heights, np.float32(bottom_mm)
-        other = np.flatnonzero(means != np.maximum(heights, self._bottom))
-        self._places, self._values = other.astype(np.uint16), means.ravel()[other]
+    def __init__(self, columns: tuple[np.ndarray, np.ndarray, np.ndarray], bottom_mm: float):
+        """columns: the heights, and the places and values of the means that are kept, as `tile_after` has them."""
+        self.columns, self._bottom = columns, np.float32(bottom_mm)
+
+    @classmethod
+    def of(cls, heights: np.ndarray, means: np.ndarray, bottom_mm: float) -> Tile:
+        """Return the tile that has these heights and means."""
+        return cls((heights, *means_apart(heights, means, np.float32(bottom_mm))), bottom_mm)
+
+    @property
+    def heights(self) -> np.ndarray:
+        """The heights at the cells' centres; not to be written to."""
+        return self.columns[0]
 
     @property
     def means(self) -> np.ndarray:
         """The means, an array of its own at each call."""
-        means = np.maximum(self.heights, self._bottom)
-        means.ravel()[self._places] = self._values
+        heights, places, values = self.columns
+        means = np.maximum(heights, self._bottom)
+        means.ravel()[places] = values
         return means
 
     @property
     def nbytes(self) -> int:
         """Memory of the arrays."""
-        return self.heights.nbytes + self._places.nbytes + self._values.nbytes
+        return sum(column.nbytes for column in self.columns)
 
 
 @dataclass(frozen=True)
@@ -91,9 +101,13 @@ class Grid:
         return (*self.stock.low_mm[:2], *self.cell_mm)  # type: ignore[return-value]
 
     def centres_mm(self, axis: int, first: int = 0, last: int | None = None) -> np.ndarray:
-        """Return the centres of the cells [first, last) along an axis."""
-        last = self.cells[axis] if last is None else min(last, self.cells[axis])
-        return self.stock.low_mm[axis] + (np.arange(first, last) + 0.5) * self.cell_mm[axis]
+        """Return the centres of the cells [first, last) along an axis; not to be written to."""
+        return self._centres_mm[axis][first:last]
+
+    @cached_property
+    def _centres_mm(self) -> list[np.ndarray]:
+        cells = zip(self.stock.low_mm, self.cells, self.cell_mm, strict=False)
+        return [low_mm + (np.arange(count) + 0.5) * cell_mm for low_mm, count, cell_mm in cells]
 
     def tile_centres_mm(self, number: int) -> tuple[np.ndarray, np.ndarray]:
         """Return x and y of the cells of a tile."""
@@ -133,23 +147,27 @@ class Part:
         for begin in range(first, last, BATCH):
             work = list(bins(moves, begin, min(begin + BATCH, last), self.grid.frame, self.grid.shape).items())
             if THREADS == 1 or last - first < FEW:
-                tiles.update(self._cut(moves, number, which, tiles) for number, which in work)
+                tiles.update(self._cut(moves, tiles, work))
                 continue
-            work.sort(key=lambda item: -len(item[1]))  # the longest first, so that the threads end together
+            work.sort(key=lambda item: -len(item[1]))  # by turns, so that the threads end together
+            shares = [work[number::THREADS] for number in range(THREADS)]
             with ThreadPoolExecutor(THREADS) as threads:
-                tiles.update(threads.map(lambda item: self._cut(moves, item[0], item[1], tiles), work))
+                for done in threads.map(lambda share: self._cut(moves, tiles, share), shares):
+                    tiles.update(done)
         return Part(self.grid, tiles)
 
-    def _cut(self, moves: Moves, number: int, which: np.ndarray, tiles: Mapping[int, Tile]) -> tuple[int, Tile]:
+    def _cut(self, moves: Moves, tiles: Mapping[int, Tile], work: Iterable[tuple[int, np.ndarray]]) -> dict[int, Tile]:
+        """Return the tiles that are cut; work: their numbers, and which of the moves reach each."""
+        return {number: self._cut_tile(moves, number, which, tiles.get(number)) for number, which in work}
+
+    def _cut_tile(self, moves: Moves, number: int, which: np.ndarray, old: Tile | None) -> Tile:
         x_mm, y_mm = self.grid.tile_centres_mm(number)
         tops = self.grid.tile_tops_mm(number)
-        old = tiles.get(number)
-        heights, means = (tops.copy(), tops.copy()) if old is None else (old.heights.copy(), old.means)
+        bottom_mm = self.grid.stock.bottom_mm
+        old = old or Tile.of(tops, tops, bottom_mm)
         frame = (float(x_mm[0]), float(y_mm[0]), *self.grid.cell_mm)
         columns = (moves.begin, moves.end, moves.arc, moves.arcs, moves.form, moves.forms, moves.joined)
-        bottom_mm = self.grid.stock.bottom_mm
-        cut_tile((heights, means, tops, bottom_mm), frame, *columns, which)
-        return number, Tile(heights, means, bottom_mm)
+        return Tile(tile_after(old.columns, tops, bottom_mm, frame, *columns, which), bottom_mm)
 
     def changed_since(self, other: Part) -> set[int]:
         """Return the numbers of the tiles in which this part may differ from it at another time; tiles are shared."""

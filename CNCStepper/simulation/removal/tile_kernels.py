@@ -67,6 +67,28 @@ def is_near(x, y, a, b, arc, arcs, distance):
 
 
 @njit
+def tile_after(old, tops, bottom, grid, begin, end, arc, arcs, form, forms, joined, which):
+    """Return a tile after the moves `which`: its heights, and places and values of the means apart from them.
+
+    old: the same of the tile before. The whole of a tile's work is one call, during which other threads run.
+    """
+    lowest = np.float32(bottom)
+    heights = old[0].copy()
+    means = np.maximum(heights, lowest)
+    means.ravel()[old[1]] = old[2]
+    cut_tile((heights, means, tops, bottom), grid, begin, end, arc, arcs, form, forms, joined, which)
+    places, values = means_apart(heights, means, lowest)
+    return heights, places, values
+
+
+@njit
+def means_apart(heights, means, lowest):
+    """Return places, uint16, and values of those means that are not the height, or the bottom where that is lower."""
+    places = np.flatnonzero(means != np.maximum(heights, lowest))
+    return places.astype(np.uint16), means.ravel()[places]
+
+
+@njit
 def cut_tile(tile, grid, begin, end, arc, arcs, form, forms, joined, which):
     """Cut a tile by the moves `which`; grid: x and y of its first cell's centre, lengths of a cell.
 

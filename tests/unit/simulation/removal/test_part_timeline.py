@@ -140,6 +140,6 @@ def test_a_tile_keeps_only_the_means_that_are_not_its_heights() -> None:
     means = np.maximum(heights, np.float32(-6))
     rim = rng.random(means.shape) < 0.1
     means[rim] += np.float32(0.25)
-    tile = Tile(heights, means, -6.0)
+    tile = Tile.of(heights, means, -6.0)
     assert (tile.means == means).all() and tile.means.dtype == np.float32
     assert tile.nbytes == heights.nbytes + 6 * rim.sum()
