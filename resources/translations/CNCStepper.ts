@@ -13322,6 +13322,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{value}' is not a number from 0 on with a decimal point, such as 1.5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{value}' is not a number with a decimal point, such as 1.5</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16377,6 +16381,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut off at the right angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16450,6 +16458,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>EXISTS asks for a parameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Each</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16789,6 +16801,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Materials of the user's own, and shipped ones that the user has changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16869,7 +16885,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts and signs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Price</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17001,6 +17025,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Thickness of the flanges</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17010,6 +17038,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Times New Roman</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Total</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17334,6 +17366,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a hole lies in no outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies beyond its outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies in another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18294,6 +18334,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>another connection is using the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>another process writes an order into this folder</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21209,10 +21253,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0}: {1} of {2} not placed: {3}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>line {file_line} is run from its begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21226,6 +21266,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>line {first} to {file_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {line}: {count} of {name} not placed: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {line}: {name}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22117,6 +22165,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no sum of {currencies}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22566,6 +22618,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>part of the drawn shape is beside the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>part {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23381,6 +23437,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>sheet {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>sheet {number}: the solid is thinner there than the sheet and fills {share:.0f} % of it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23533,6 +23593,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>start it again, and run the same command: what is done is not done again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23546,6 +23610,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>start nearer to the part, then unlock with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start one for each core: dask worker ADDRESS</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24174,6 +24242,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the connection service does not start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection to the scheduler is lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26305,6 +26377,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the scheduler has no workers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28009,6 +28085,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>wait until it is done, or name another folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28397,7 +28477,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write as the first line: {columns}</source>
+            <source>write as the first line, with commas or semicolons: {columns}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28705,10 +28785,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} (not offered)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>{0} MB, {1} files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28758,10 +28834,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{0} open edges</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29425,6 +29497,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} (not offered)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} and {other} may not share a line: they use the same word</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29650,6 +29726,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{package} is not installed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
