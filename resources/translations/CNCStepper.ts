@@ -4291,6 +4291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add, change and delete the tools of this template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Added between letters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7307,6 +7311,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leave the tools as they were</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8012,6 +8020,10 @@
         </message>
         <message>
             <source>Number the lines…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>OK</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9841,6 +9853,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take these tools into the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10881,11 +10897,19 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tools of the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Tools, materials and cut charts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tools…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13299,6 +13323,10 @@ the height</source>
         </message>
         <message>
             <source>'{value}' is not a number above {least:g} with a decimal point, such as 1.5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{value}' is not a number from 0 on with a decimal point, such as 1.5</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16357,6 +16385,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut off at the right angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16430,6 +16462,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>EXISTS asks for a parameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Each</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16769,6 +16805,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Materials of the user's own, and shipped ones that the user has changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16849,7 +16889,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts and signs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Price</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16981,6 +17029,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Thickness of the flanges</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16990,6 +17042,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Times New Roman</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Total</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17318,6 +17374,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a hole lies in no outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies beyond its outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies in another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18294,6 +18358,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>another connection is using the controller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>another process writes an order into this folder</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19813,10 +19881,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>export the solid as STEP again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21225,10 +21289,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0}: {1} of {2} not placed: {3}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>line {file_line} is run from its begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21242,6 +21302,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>line {first} to {file_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {line}: {count} of {name} not placed: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {line}: {name}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21769,6 +21837,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a text in quotes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be true or false</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22118,6 +22202,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>no straight slit leads into the hole at X{x:.3f} Y{y:.3f} past the part's other holes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no sum of {currencies}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22570,6 +22658,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>part of the drawn shape is beside the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>part {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23353,7 +23445,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
+            <source>set {cadquery} to a Python that has CadQuery</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set {freecad} to FreeCAD's command</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23386,6 +23482,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>sheet {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sheet {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23541,6 +23641,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>start it again, and run the same command: what is done is not done again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23554,6 +23658,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>start nearer to the part, then unlock with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start one for each core: dask worker ADDRESS</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24182,6 +24290,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the connection service does not start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection to the scheduler is lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26313,6 +26425,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the scheduler has no workers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28041,6 +28157,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>wait until it is done, or name another folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28429,7 +28549,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write as the first line: {columns}</source>
+            <source>write as the first line, with commas or semicolons: {columns}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28737,10 +28857,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} (not offered)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>{0} MB, {1} files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28790,10 +28906,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{0} open edges</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29461,6 +29573,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} (not offered)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} and {other} may not share a line: they use the same word</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29686,6 +29802,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{package} is not installed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -4291,6 +4291,10 @@
             <translation>Adicionar</translation>
         </message>
         <message>
+            <source>Add, change and delete the tools of this template</source>
+            <translation>Adicionar, mudar e excluir as ferramentas deste modelo</translation>
+        </message>
+        <message>
             <source>Added between letters</source>
             <translation>Acrescentado entre as letras</translation>
         </message>
@@ -7307,6 +7311,10 @@
             <translation>Deixar fora do programa</translation>
         </message>
         <message>
+            <source>Leave the tools as they were</source>
+            <translation>Deixar as ferramentas como estavam</translation>
+        </message>
+        <message>
             <source>Left on the cone for a last pass along it; 0: none</source>
             <translation>Deixado no cone para um último passe ao longo dele; 0: nenhum</translation>
         </message>
@@ -8013,6 +8021,10 @@
         <message>
             <source>Number the lines…</source>
             <translation>Numerar as linhas…</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>OK</translation>
         </message>
         <message>
             <source>Objects</source>
@@ -9843,6 +9855,10 @@ altura</translation>
             <translation>Usa o modelo de um arquivo</translation>
         </message>
         <message>
+            <source>Take these tools into the template</source>
+            <translation>Levar estas ferramentas para o modelo</translation>
+        </message>
+        <message>
             <source>Take {0}</source>
             <translation>Usar {0}</translation>
         </message>
@@ -10883,12 +10899,20 @@ altura</translation>
             <translation>Ferramentas e materiais</translation>
         </message>
         <message>
+            <source>Tools of the template</source>
+            <translation>Ferramentas do modelo</translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
         </message>
         <message>
             <source>Tools, materials and cut charts</source>
             <translation>Ferramentas, materiais e tabelas de corte</translation>
+        </message>
+        <message>
+            <source>Tools…</source>
+            <translation>Ferramentas…</translation>
         </message>
         <message>
             <source>Toothed belt</source>
@@ -13316,6 +13340,10 @@ altura</translation>
         <message>
             <source>'{value}' is not a number above {least:g} with a decimal point, such as 1.5</source>
             <translation>'{value}' não é um número acima de {least:g} com ponto decimal, como 1.5</translation>
+        </message>
+        <message>
+            <source>'{value}' is not a number from 0 on with a decimal point, such as 1.5</source>
+            <translation>'{value}' não é um número a partir de 0 com ponto decimal, como 1.5</translation>
         </message>
         <message>
             <source>'{value}' is not a number with a decimal point, such as 1.5</source>
@@ -16381,6 +16409,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>Raio de canto</translation>
         </message>
         <message>
+            <source>Count</source>
+            <translation>Quantidade</translation>
+        </message>
+        <message>
             <source>Cut off at the right angle</source>
             <translation>Corte no ângulo reto</translation>
         </message>
@@ -16455,6 +16487,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>EXISTS asks for a parameter</source>
             <translation>EXISTS pergunta por um parâmetro</translation>
+        </message>
+        <message>
+            <source>Each</source>
+            <translation>Unitário</translation>
         </message>
         <message>
             <source>Ends of the legs</source>
@@ -16793,6 +16829,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o Marlin leria G91 ou G90: omita-a</translation>
         </message>
         <message>
+            <source>Material</source>
+            <translation>Material</translation>
+        </message>
+        <message>
             <source>Materials of the user's own, and shipped ones that the user has changed</source>
             <translation>Materiais próprios do usuário, e os fornecidos que ele mudou</translation>
         </message>
@@ -16873,8 +16913,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>PID eq {0}</translation>
         </message>
         <message>
+            <source>Part</source>
+            <translation>Parte</translation>
+        </message>
+        <message>
             <source>Parts and signs</source>
             <translation>Peças e placas</translation>
+        </message>
+        <message>
+            <source>Price</source>
+            <translation>Preço</translation>
         </message>
         <message>
             <source>Q asks for too many pecks</source>
@@ -17005,6 +17053,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>A seção de uma viga, em torno do zero.</translation>
         </message>
         <message>
+            <source>Thickness</source>
+            <translation>Espessura</translation>
+        </message>
+        <message>
             <source>Thickness of the flanges</source>
             <translation>Espessura das mesas</translation>
         </message>
@@ -17015,6 +17067,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Times New Roman</source>
             <translation>Times New Roman</translation>
+        </message>
+        <message>
+            <source>Total</source>
+            <translation>Total</translation>
         </message>
         <message>
             <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
@@ -17343,6 +17399,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a hole lies in no outline</source>
             <translation>um furo não fica dentro de nenhum contorno</translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies beyond its outline</source>
+            <translation>um furo de {name} fica fora do seu contorno</translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies in another one</source>
+            <translation>um furo de {name} fica dentro de outro</translation>
         </message>
         <message>
             <source>a hole would reach beyond its outline</source>
@@ -18319,6 +18383,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>another connection is using the controller</source>
             <translation>outra conexão está usando o controlador</translation>
+        </message>
+        <message>
+            <source>another process writes an order into this folder</source>
+            <translation>outro processo grava um pedido nesta pasta</translation>
         </message>
         <message>
             <source>another row has {key} {value} already</source>
@@ -19837,10 +19905,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>exporte o próprio corpo, como STEP, BREP ou STL</translation>
         </message>
         <message>
-            <source>export the solid as STEP again</source>
-            <translation>exporte o sólido de novo como STEP</translation>
-        </message>
-        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation>expressões entre colchetes não fazem parte deste dialeto</translation>
         </message>
@@ -21249,10 +21313,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>linha {0}, volta</translation>
         </message>
         <message>
-            <source>line {0}: {1} of {2} not placed: {3}</source>
-            <translation>linha {0}: {1} de {2} sem lugar: {3}</translation>
-        </message>
-        <message>
             <source>line {file_line} is run from its begin</source>
             <translation>a linha {file_line} é executada desde o início</translation>
         </message>
@@ -21267,6 +21327,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>line {first} to {file_line}</source>
             <translation>linha {first} a {file_line}</translation>
+        </message>
+        <message>
+            <source>line {line}: {count} of {name} not placed: {why}</source>
+            <translation>linha {line}: {count} de {name} sem lugar: {why}</translation>
+        </message>
+        <message>
+            <source>line {line}: {name}: {error}</source>
+            <translation>linha {line}: {name}: {error}</translation>
         </message>
         <message>
             <source>line {own} here is its line {file_line}</source>
@@ -21793,6 +21861,22 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>mova {letter} em uma linha própria</translation>
         </message>
         <message>
+            <source>must be a list</source>
+            <translation>deve ser uma lista</translation>
+        </message>
+        <message>
+            <source>must be a table</source>
+            <translation>deve ser uma tabela</translation>
+        </message>
+        <message>
+            <source>must be a text in quotes</source>
+            <translation>deve ser um texto entre aspas</translation>
+        </message>
+        <message>
+            <source>must be true or false</source>
+            <translation>deve ser true ou false</translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
             <translation>deve ser {number} de {words}</translation>
         </message>
@@ -22143,6 +22227,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>no straight slit leads into the hole at X{x:.3f} Y{y:.3f} past the part's other holes</source>
             <translation>nenhuma fenda reta chega ao furo em X{x:.3f} Y{y:.3f} sem atravessar os outros furos da peça</translation>
+        </message>
+        <message>
+            <source>no sum of {currencies}</source>
+            <translation>sem soma de {currencies}</translation>
         </message>
         <message>
             <source>no tab fits on any contour</source>
@@ -22595,6 +22683,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>part of the drawn shape is beside the stock</source>
             <translation>parte da forma desenhada fica fora do bloco</translation>
+        </message>
+        <message>
+            <source>part {number}</source>
+            <translation>peça {number}</translation>
         </message>
         <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
@@ -23377,8 +23469,12 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>ponha width_mm em no máximo {width_mm:.2f}</translation>
         </message>
         <message>
-            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
-            <translation>aponte {cadquery} para um Python que tenha o CadQuery, ou {freecad} para o comando do FreeCAD</translation>
+            <source>set {cadquery} to a Python that has CadQuery</source>
+            <translation>aponte {cadquery} para um Python que tenha o CadQuery</translation>
+        </message>
+        <message>
+            <source>set {freecad} to FreeCAD's command</source>
+            <translation>aponte {freecad} para o comando do FreeCAD</translation>
         </message>
         <message>
             <source>sets G92 as it was: {array}</source>
@@ -23411,6 +23507,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>sheet {0} mm</source>
             <translation>chapa {0} mm</translation>
+        </message>
+        <message>
+            <source>sheet {number}</source>
+            <translation>chapa {number}</translation>
         </message>
         <message>
             <source>sheet {number}: the solid is thinner there than the sheet and fills {share:.0f} % of it</source>
@@ -23565,6 +23665,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>quadrado, círculo e esquadro precisam dos eixos X e Y</translation>
         </message>
         <message>
+            <source>start it again, and run the same command: what is done is not done again</source>
+            <translation>inicie-o de novo e execute o mesmo comando: o que está feito não é refeito</translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation>inicie-o com cncstepper send</translation>
         </message>
@@ -23579,6 +23683,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>start nearer to the part, then unlock with $X</source>
             <translation>comece mais perto da peça e destrave com $X</translation>
+        </message>
+        <message>
+            <source>start one for each core: dask worker ADDRESS</source>
+            <translation>inicie um para cada núcleo: dask worker ADDRESS</translation>
         </message>
         <message>
             <source>start one: dask scheduler --host 127.0.0.1, and dask worker for each core</source>
@@ -24207,6 +24315,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the connection service does not start</source>
             <translation>o processo da mesa de controle não inicia</translation>
+        </message>
+        <message>
+            <source>the connection to the scheduler is lost</source>
+            <translation>a conexão com o escalonador foi perdida</translation>
         </message>
         <message>
             <source>the connection {session_file} is open, but its process does not answer</source>
@@ -26337,6 +26449,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a porta de segurança foi aberta durante o referenciamento</translation>
         </message>
         <message>
+            <source>the scheduler has no workers</source>
+            <translation>o escalonador não tem processos de trabalho</translation>
+        </message>
+        <message>
             <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
             <translation>o riscador é a ferramenta {number} da tabela do LinuxCNC, cujos X e Y são o seu lugar ao lado da tocha</translation>
         </message>
@@ -28065,6 +28181,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>espere até que pare, ou retenha-a</translation>
         </message>
         <message>
+            <source>wait until it is done, or name another folder</source>
+            <translation>espere até que termine, ou indique outra pasta</translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation>espere até que esteja referenciada</translation>
         </message>
@@ -28453,8 +28573,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva uma pastilha (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 ou drill:10; 2=drill:10 para a ferramenta 2</translation>
         </message>
         <message>
-            <source>write as the first line: {columns}</source>
-            <translation>escreva como primeira linha: {columns}</translation>
+            <source>write as the first line, with commas or semicolons: {columns}</source>
+            <translation>escreva como primeira linha, com vírgulas ou pontos e vírgulas: {columns}</translation>
         </message>
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
@@ -28761,10 +28881,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>zero de {axes} definido em {system}</translation>
         </message>
         <message>
-            <source>{0} (not offered)</source>
-            <translation>{0} (sem oferta)</translation>
-        </message>
-        <message>
             <source>{0} MB, {1} files</source>
             <translation>{0} MB, {1} arquivos</translation>
         </message>
@@ -28815,10 +28931,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{0} open edges</source>
             <translation>{0} arestas abertas</translation>
-        </message>
-        <message>
-            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
-            <translation>{0} peças em {1} chapas, {2} m cortados, {3} perfurações, {4} horas de máquina</translation>
         </message>
         <message>
             <source>{0} parts without a place</source>
@@ -29485,6 +29597,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{named} não pode trocar ferramentas por '{tool_change}'</translation>
         </message>
         <message>
+            <source>{name} (not offered)</source>
+            <translation>{name} (não oferecida)</translation>
+        </message>
+        <message>
             <source>{name} and {other} may not share a line: they use the same word</source>
             <translation>{name} e {other} não podem dividir uma linha: usam a mesma palavra</translation>
         </message>
@@ -29711,6 +29827,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{package} is not installed</source>
             <translation>{package} não está instalado</translation>
+        </message>
+        <message>
+            <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
+            <translation>{parts} peças em {sheets:.4g} chapas, {metres:.1f} m de corte, {pierces:.0f} perfurações, {hours:.2f} horas da máquina</translation>
         </message>
         <message>
             <source>{path} cannot be read: {error}</source>
