@@ -17,8 +17,6 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-from growth import draw_growth
-
 BLOCKS = 1_000_000
 LARGE = 10_000_000
 GROWING = (1000, 10_000, 100_000, 1_000_000, LARGE)
@@ -100,6 +98,8 @@ def compare(folder: Path) -> dict[str, float]:
 
 def print_growth(folder: Path) -> None:
     """Print and draw how processor time grows with the blocks, with the start of a process for each verb."""
+    from growth import draw_growth  # its libraries would count in the memory of other processes
+
     series: dict[str, list[float]] = {"cncstepper trace": [], "rs274 -g": []}
     for count in GROWING:
         path = folder / "growing.ngc"

@@ -18,7 +18,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from growth import draw_growth
 
 from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file
 from CNCStepper.machine.backlash import Backlash
@@ -185,6 +184,8 @@ def peak_mb() -> float:
 
 def print_growth() -> None:
     """Print and draw how processor time grows with the blocks that are planned, and planned and stepped."""
+    from growth import draw_growth  # its libraries would count in the memory of other processes
+
     grown = {"planned, spiral": spiral, "planned, any direction": wandering, "planned and stepped, spiral": spiral}
     series: dict[str, list[float]] = {name: [] for name in grown}
     for count in GROWING:
