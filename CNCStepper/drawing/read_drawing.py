@@ -19,6 +19,7 @@ from CNCStepper.geometry.chain_joining import NEAR_MM
 from CNCStepper.tolerances import JOINED_ENDS_MM
 
 AS_FOUND = TraceOptions()
+SCRIPT = ".py"  # no reader below reads it: a script runs only where a person names it
 
 
 @dataclass(frozen=True)

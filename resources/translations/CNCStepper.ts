@@ -4291,6 +4291,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Add, change and delete the tools of this template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Added between letters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7307,6 +7311,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Leave the tools as they were</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Left on the cone for a last pass along it; 0: none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8012,6 +8020,10 @@
         </message>
         <message>
             <source>Number the lines…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>OK</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9841,6 +9853,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Take these tools into the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Take {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9970,6 +9986,10 @@ the height</source>
         </message>
         <message>
             <source>The cut is simulated and checked.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10877,11 +10897,19 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Tools of the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Tools, materials and cut charts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Tools…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13295,6 +13323,10 @@ the height</source>
         </message>
         <message>
             <source>'{value}' is not a number above {least:g} with a decimal point, such as 1.5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{value}' is not a number from 0 on with a decimal point, such as 1.5</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16353,6 +16385,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut off at the right angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16426,6 +16462,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>EXISTS asks for a parameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Each</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16765,6 +16805,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Materials of the user's own, and shipped ones that the user has changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16845,7 +16889,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parts and signs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Price</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16977,6 +17029,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Thickness of the flanges</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16986,6 +17042,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Times New Roman</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Total</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17261,6 +17321,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a drilling tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a face of '{label}' does not run round the axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17310,6 +17374,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a hole lies in no outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies beyond its outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies in another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17366,6 +17438,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a lead or a cut goes through a part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a left-hand {kind} tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17993,11 +18069,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a {kind} tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {kind} tool has no insert of ISO 1832</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {kind} tool {verb} {key}</source>
+            <source>a {kind} tool has no {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {kind} tool needs {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18049,15 +18133,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>above {0} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>above {bore:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above {floor:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above {least:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18273,6 +18361,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>another process writes an order into this folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>another row has {key} {value} already</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18341,23 +18433,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at least {0} deg</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>at least {0} deg: a nose angle of {1} deg or less</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>at least {0} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>at least {chord:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg: a nose angle of {nose:.4g} deg or less</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {least:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18397,10 +18489,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at most {0} deg: an entering angle of {1} deg or more</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>at most {largest_tool}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18414,6 +18502,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {rising:.4g} deg: an entering angle of {entering:.4g} deg or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18481,7 +18573,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back edge at {0} deg</source>
+            <source>back edge at {back:.4g} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18573,6 +18665,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>below {floor:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {length_mm:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18622,6 +18718,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19165,6 +19265,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>copy only the cells of the parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19601,6 +19705,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill a narrower hole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19617,7 +19725,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>drill {0} mm</source>
+            <source>drill {diameter:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19773,10 +19881,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>export the solid as STEP again</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19889,7 +19993,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>from z {0} mm by {1} mm</source>
+            <source>from z {z:.4g} mm by {back:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19897,7 +20001,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>front edge at {0} deg</source>
+            <source>front edge at {front:.4g} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20286,10 +20390,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>hard limits</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>has no</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21189,10 +21289,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0}: {1} of {2} not placed: {3}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>line {file_line} is run from its begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21206,6 +21302,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>line {first} to {file_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {line}: {count} of {name} not placed: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {line}: {name}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21462,6 +21566,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>make several jobs of this one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make several tables of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21726,6 +21834,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>move {letter} on a line of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a text in quotes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be true or false</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22081,6 +22205,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no sum of {currencies}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22121,11 +22249,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nose radius {0} mm</source>
+            <source>nose radius {nose:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nose {0} mm</source>
+            <source>nose {nose:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22533,11 +22661,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>part {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>parting blade {0} mm</source>
+            <source>parting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parting blade {width:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22769,7 +22905,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>radius {0} mm at z {1} mm</source>
+            <source>radius {radius:.4g} mm at z {z:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23269,6 +23405,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set the work zero anew and send it whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set the zero again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23305,7 +23445,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
+            <source>set {cadquery} to a Python that has CadQuery</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set {freecad} to FreeCAD's command</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23338,6 +23482,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>sheet {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sheet {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23493,6 +23641,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>start it again, and run the same command: what is done is not done again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23506,6 +23658,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>start nearer to the part, then unlock with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start one for each core: dask worker ADDRESS</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24134,6 +24290,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the connection service does not start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection to the scheduler is lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26265,6 +26425,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the scheduler has no workers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26577,6 +26741,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the text is too long for a table of parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the thickness of material {number}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26705,7 +26873,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool runs into the {obstacle}</source>
+            <source>the tool runs into the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool runs into the jaws</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool runs into the tailstock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27129,6 +27305,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>these are more parts than one table takes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>these diagonals belong to no rectangle of these sides</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27353,6 +27533,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27514,6 +27698,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>turn with at most {most:.4g} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27969,6 +28157,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>wait until it is done, or name another folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28357,7 +28549,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write as the first line: {columns}</source>
+            <source>write as the first line, with commas or semicolons: {columns}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28665,10 +28857,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} (not offered)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>{0} MB, {1} files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28718,10 +28906,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{0} open edges</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29006,6 +29190,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{file}, {total} lines to send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{first:.4g} and {second:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29385,6 +29573,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} (not offered)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} and {other} may not share a line: they use the same word</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29610,6 +29802,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{package} is not installed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

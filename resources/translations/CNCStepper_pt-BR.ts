@@ -4291,6 +4291,10 @@
             <translation>Adicionar</translation>
         </message>
         <message>
+            <source>Add, change and delete the tools of this template</source>
+            <translation>Adicionar, mudar e excluir as ferramentas deste modelo</translation>
+        </message>
+        <message>
             <source>Added between letters</source>
             <translation>Acrescentado entre as letras</translation>
         </message>
@@ -7307,6 +7311,10 @@
             <translation>Deixar fora do programa</translation>
         </message>
         <message>
+            <source>Leave the tools as they were</source>
+            <translation>Deixar as ferramentas como estavam</translation>
+        </message>
+        <message>
             <source>Left on the cone for a last pass along it; 0: none</source>
             <translation>Deixado no cone para um último passe ao longo dele; 0: nenhum</translation>
         </message>
@@ -8013,6 +8021,10 @@
         <message>
             <source>Number the lines…</source>
             <translation>Numerar as linhas…</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>OK</translation>
         </message>
         <message>
             <source>Objects</source>
@@ -9843,6 +9855,10 @@ altura</translation>
             <translation>Usa o modelo de um arquivo</translation>
         </message>
         <message>
+            <source>Take these tools into the template</source>
+            <translation>Levar estas ferramentas para o modelo</translation>
+        </message>
+        <message>
             <source>Take {0}</source>
             <translation>Usar {0}</translation>
         </message>
@@ -9973,6 +9989,10 @@ altura</translation>
         <message>
             <source>The cut is simulated and checked.</source>
             <translation>O corte é simulado e verificado.</translation>
+        </message>
+        <message>
+            <source>The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment.</source>
+            <translation>O corte de um torno não é mostrado enquanto corre: Verificar e simular o mostra em qualquer momento.</translation>
         </message>
         <message>
             <source>The depth below the top of the stock</source>
@@ -10879,12 +10899,20 @@ altura</translation>
             <translation>Ferramentas e materiais</translation>
         </message>
         <message>
+            <source>Tools of the template</source>
+            <translation>Ferramentas do modelo</translation>
+        </message>
+        <message>
             <source>Tools without feeds or speed use its table</source>
             <translation>Ferramentas sem avanço ou rotação tomam os da sua tabela</translation>
         </message>
         <message>
             <source>Tools, materials and cut charts</source>
             <translation>Ferramentas, materiais e tabelas de corte</translation>
+        </message>
+        <message>
+            <source>Tools…</source>
+            <translation>Ferramentas…</translation>
         </message>
         <message>
             <source>Toothed belt</source>
@@ -13312,6 +13340,10 @@ altura</translation>
         <message>
             <source>'{value}' is not a number above {least:g} with a decimal point, such as 1.5</source>
             <translation>'{value}' não é um número acima de {least:g} com ponto decimal, como 1.5</translation>
+        </message>
+        <message>
+            <source>'{value}' is not a number from 0 on with a decimal point, such as 1.5</source>
+            <translation>'{value}' não é um número a partir de 0 com ponto decimal, como 1.5</translation>
         </message>
         <message>
             <source>'{value}' is not a number with a decimal point, such as 1.5</source>
@@ -15982,7 +16014,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>'{insert}' is no insert of a {kind} tool</source>
-            <translation>'{insert}' não é pastilha de uma ferramenta {kind}</translation>
+            <translation>'{insert}' não é pastilha de uma ferramenta de {kind}</translation>
         </message>
         <message>
             <source>'{key}' cannot be {value!r}</source>
@@ -16377,6 +16409,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>Raio de canto</translation>
         </message>
         <message>
+            <source>Count</source>
+            <translation>Quantidade</translation>
+        </message>
+        <message>
             <source>Cut off at the right angle</source>
             <translation>Corte no ângulo reto</translation>
         </message>
@@ -16451,6 +16487,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>EXISTS asks for a parameter</source>
             <translation>EXISTS pergunta por um parâmetro</translation>
+        </message>
+        <message>
+            <source>Each</source>
+            <translation>Unitário</translation>
         </message>
         <message>
             <source>Ends of the legs</source>
@@ -16789,6 +16829,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o Marlin leria G91 ou G90: omita-a</translation>
         </message>
         <message>
+            <source>Material</source>
+            <translation>Material</translation>
+        </message>
+        <message>
             <source>Materials of the user's own, and shipped ones that the user has changed</source>
             <translation>Materiais próprios do usuário, e os fornecidos que ele mudou</translation>
         </message>
@@ -16869,8 +16913,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>PID eq {0}</translation>
         </message>
         <message>
+            <source>Part</source>
+            <translation>Parte</translation>
+        </message>
+        <message>
             <source>Parts and signs</source>
             <translation>Peças e placas</translation>
+        </message>
+        <message>
+            <source>Price</source>
+            <translation>Preço</translation>
         </message>
         <message>
             <source>Q asks for too many pecks</source>
@@ -17001,6 +17053,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>A seção de uma viga, em torno do zero.</translation>
         </message>
         <message>
+            <source>Thickness</source>
+            <translation>Espessura</translation>
+        </message>
+        <message>
             <source>Thickness of the flanges</source>
             <translation>Espessura das mesas</translation>
         </message>
@@ -17011,6 +17067,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Times New Roman</source>
             <translation>Times New Roman</translation>
+        </message>
+        <message>
+            <source>Total</source>
+            <translation>Total</translation>
         </message>
         <message>
             <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
@@ -17285,6 +17345,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma broca anda de lado dentro do material</translation>
         </message>
         <message>
+            <source>a drilling tool</source>
+            <translation>uma ferramenta de furar</translation>
+        </message>
+        <message>
             <source>a face of '{label}' does not run round the axis</source>
             <translation>uma face de '{label}' não contorna o eixo</translation>
         </message>
@@ -17335,6 +17399,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a hole lies in no outline</source>
             <translation>um furo não fica dentro de nenhum contorno</translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies beyond its outline</source>
+            <translation>um furo de {name} fica fora do seu contorno</translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies in another one</source>
+            <translation>um furo de {name} fica dentro de outro</translation>
         </message>
         <message>
             <source>a hole would reach beyond its outline</source>
@@ -17391,6 +17463,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a lead or a cut goes through a part</source>
             <translation>uma entrada ou um corte atravessa uma peça</translation>
+        </message>
+        <message>
+            <source>a left-hand {kind} tool</source>
+            <translation>uma ferramenta de {kind} à esquerda</translation>
         </message>
         <message>
             <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
@@ -18017,12 +18093,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
-            <source>a {kind} tool has no insert of ISO 1832</source>
-            <translation>uma ferramenta {kind} não tem pastilha da ISO 1832</translation>
+            <source>a {kind} tool</source>
+            <translation>uma ferramenta de {kind}</translation>
         </message>
         <message>
-            <source>a {kind} tool {verb} {key}</source>
-            <translation>uma ferramenta {kind} {verb} {key}</translation>
+            <source>a {kind} tool has no insert of ISO 1832</source>
+            <translation>uma ferramenta de {kind} não tem pastilha da ISO 1832</translation>
+        </message>
+        <message>
+            <source>a {kind} tool has no {key}</source>
+            <translation>uma ferramenta de {kind} não tem {key}</translation>
+        </message>
+        <message>
+            <source>a {kind} tool needs {key}</source>
+            <translation>uma ferramenta de {kind} precisa de {key}</translation>
         </message>
         <message>
             <source>a {shape} does not cut from the edge</source>
@@ -18073,16 +18157,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acima de 0, abaixo de {diameter_mm:g} mm</translation>
         </message>
         <message>
-            <source>above {0} mm</source>
-            <translation>acima de {0} mm</translation>
-        </message>
-        <message>
             <source>above {bore:g} mm</source>
             <translation>acima de {bore:g} mm</translation>
         </message>
         <message>
+            <source>above {floor:.3f} mm</source>
+            <translation>acima de {floor:.3f} mm</translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation>acima de {highest_cut:g} mm</translation>
+        </message>
+        <message>
+            <source>above {least:g} mm</source>
+            <translation>acima de {least:g} mm</translation>
         </message>
         <message>
             <source>act = "switch" and line belong together</source>
@@ -18297,6 +18385,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>outra conexão está usando o controlador</translation>
         </message>
         <message>
+            <source>another process writes an order into this folder</source>
+            <translation>outro processo grava um pedido nesta pasta</translation>
+        </message>
+        <message>
             <source>another row has {key} {value} already</source>
             <translation>outra linha já tem {key} {value}</translation>
         </message>
@@ -18365,24 +18457,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
-            <source>at least {0} deg</source>
-            <translation>pelo menos {0} graus</translation>
-        </message>
-        <message>
-            <source>at least {0} deg: a nose angle of {1} deg or less</source>
-            <translation>no mínimo {0} graus: um ângulo de ponta de {1} graus ou menos</translation>
-        </message>
-        <message>
-            <source>at least {0} mm</source>
-            <translation>no mínimo {0} mm</translation>
-        </message>
-        <message>
             <source>at least {chord:.4f} mm</source>
             <translation>ao menos {chord:.4f} mm</translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
             <translation>ao menos {depth_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg</source>
+            <translation>no mínimo {falling:.4g} graus</translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg: a nose angle of {nose:.4g} deg or less</source>
+            <translation>no mínimo {falling:.4g} graus: um ângulo de ponta de {nose:.4g} graus ou menos</translation>
+        </message>
+        <message>
+            <source>at least {least:.4g} mm</source>
+            <translation>no mínimo {least:.4g} mm</translation>
         </message>
         <message>
             <source>at least {least:g} mm</source>
@@ -18421,10 +18513,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>no máximo {0} graus</translation>
         </message>
         <message>
-            <source>at most {0} deg: an entering angle of {1} deg or more</source>
-            <translation>no máximo {0} graus: um ângulo de posição de {1} graus ou mais</translation>
-        </message>
-        <message>
             <source>at most {largest_tool}</source>
             <translation>no máximo {largest_tool}</translation>
         </message>
@@ -18439,6 +18527,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
             <translation>no máximo {narrowest_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>at most {rising:.4g} deg: an entering angle of {entering:.4g} deg or more</source>
+            <translation>no máximo {rising:.4g} graus: um ângulo de posição de {entering:.4g} graus ou mais</translation>
         </message>
         <message>
             <source>at most {room_mm:.3f} mm</source>
@@ -18505,8 +18597,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>volta pelo corte</translation>
         </message>
         <message>
-            <source>back edge at {0} deg</source>
-            <translation>aresta de trás a {0} graus</translation>
+            <source>back edge at {back:.4g} deg</source>
+            <translation>aresta de trás a {back:.4g} graus</translation>
         </message>
         <message>
             <source>back to where the program paused: up, over, down</source>
@@ -18597,6 +18689,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>abaixo de {depth_mm:g} mm</translation>
         </message>
         <message>
+            <source>below {floor:.3f} mm</source>
+            <translation>abaixo de {floor:.3f} mm</translation>
+        </message>
+        <message>
             <source>below {length_mm:.3f} mm</source>
             <translation>abaixo de {length_mm:.3f} mm</translation>
         </message>
@@ -18647,6 +18743,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
             <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
+        </message>
+        <message>
+            <source>boring</source>
+            <translation>mandrilar</translation>
         </message>
         <message>
             <source>boring takes a tool for the inside</source>
@@ -19189,6 +19289,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>copie-o de novo e compare o tamanho</translation>
         </message>
         <message>
+            <source>copy only the cells of the parts</source>
+            <translation>copie só as células das peças</translation>
+        </message>
+        <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
             <translation>core_diameter_mm não pode exceder diameter_mm</translation>
         </message>
@@ -19625,6 +19729,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
         </message>
         <message>
+            <source>drill</source>
+            <translation>furar</translation>
+        </message>
+        <message>
             <source>drill a narrower hole</source>
             <translation>fure um furo mais estreito</translation>
         </message>
@@ -19641,8 +19749,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>fure mais largo</translation>
         </message>
         <message>
-            <source>drill {0} mm</source>
-            <translation>broca de {0} mm</translation>
+            <source>drill {diameter:g} mm</source>
+            <translation>broca de {diameter:g} mm</translation>
         </message>
         <message>
             <source>drill {more:.4g} mm deeper before it</source>
@@ -19797,10 +19905,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>exporte o próprio corpo, como STEP, BREP ou STL</translation>
         </message>
         <message>
-            <source>export the solid as STEP again</source>
-            <translation>exporte o sólido de novo como STEP</translation>
-        </message>
-        <message>
             <source>expressions in brackets are not part of this dialect</source>
             <translation>expressões entre colchetes não fazem parte deste dialeto</translation>
         </message>
@@ -19913,16 +20017,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>daqui em diante os achados deste tipo não são listados</translation>
         </message>
         <message>
-            <source>from z {0} mm by {1} mm</source>
-            <translation>a partir de z {0} mm, por {1} mm</translation>
+            <source>from z {z:.4g} mm by {back:.4g} mm</source>
+            <translation>a partir de z {z:.4g} mm, por {back:.4g} mm</translation>
         </message>
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation>de {begin} na linha {first_line} a {end} na linha {last_line}</translation>
         </message>
         <message>
-            <source>front edge at {0} deg</source>
-            <translation>aresta da frente a {0} graus</translation>
+            <source>front edge at {front:.4g} deg</source>
+            <translation>aresta da frente a {front:.4g} graus</translation>
         </message>
         <message>
             <source>full circles became two arcs</source>
@@ -20311,10 +20415,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>hard limits</source>
             <translation>limites físicos</translation>
-        </message>
-        <message>
-            <source>has no</source>
-            <translation>não tem</translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -21213,10 +21313,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>linha {0}, volta</translation>
         </message>
         <message>
-            <source>line {0}: {1} of {2} not placed: {3}</source>
-            <translation>linha {0}: {1} de {2} sem lugar: {3}</translation>
-        </message>
-        <message>
             <source>line {file_line} is run from its begin</source>
             <translation>a linha {file_line} é executada desde o início</translation>
         </message>
@@ -21231,6 +21327,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>line {first} to {file_line}</source>
             <translation>linha {first} a {file_line}</translation>
+        </message>
+        <message>
+            <source>line {line}: {count} of {name} not placed: {why}</source>
+            <translation>linha {line}: {count} de {name} sem lugar: {why}</translation>
+        </message>
+        <message>
+            <source>line {line}: {name}: {error}</source>
+            <translation>linha {line}: {name}: {error}</translation>
         </message>
         <message>
             <source>line {own} here is its line {file_line}</source>
@@ -21487,6 +21591,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>make several jobs of this one</source>
             <translation>faça vários trabalhos deste</translation>
+        </message>
+        <message>
+            <source>make several tables of them</source>
+            <translation>faça delas várias tabelas</translation>
         </message>
         <message>
             <source>make several texts of it</source>
@@ -21751,6 +21859,22 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>move {letter} on a line of its own</source>
             <translation>mova {letter} em uma linha própria</translation>
+        </message>
+        <message>
+            <source>must be a list</source>
+            <translation>deve ser uma lista</translation>
+        </message>
+        <message>
+            <source>must be a table</source>
+            <translation>deve ser uma tabela</translation>
+        </message>
+        <message>
+            <source>must be a text in quotes</source>
+            <translation>deve ser um texto entre aspas</translation>
+        </message>
+        <message>
+            <source>must be true or false</source>
+            <translation>deve ser true ou false</translation>
         </message>
         <message>
             <source>must be {number} from {words}</source>
@@ -22105,6 +22229,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhuma fenda reta chega ao furo em X{x:.3f} Y{y:.3f} sem atravessar os outros furos da peça</translation>
         </message>
         <message>
+            <source>no sum of {currencies}</source>
+            <translation>sem soma de {currencies}</translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
             <translation>nenhuma ponte cabe em nenhum contorno</translation>
         </message>
@@ -22145,12 +22273,12 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>raio de ponta</translation>
         </message>
         <message>
-            <source>nose radius {0} mm</source>
-            <translation>raio de ponta {0} mm</translation>
+            <source>nose radius {nose:g} mm</source>
+            <translation>raio de ponta {nose:g} mm</translation>
         </message>
         <message>
-            <source>nose {0} mm</source>
-            <translation>ponta de {0} mm</translation>
+            <source>nose {nose:g} mm</source>
+            <translation>ponta de {nose:g} mm</translation>
         </message>
         <message>
             <source>not a DXF file: {why}</source>
@@ -22557,12 +22685,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>parte da forma desenhada fica fora do bloco</translation>
         </message>
         <message>
+            <source>part {number}</source>
+            <translation>peça {number}</translation>
+        </message>
+        <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
             <translation>a peça {number} passa da chapa em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
-            <source>parting blade {0} mm</source>
-            <translation>bedame de {0} mm</translation>
+            <source>parting</source>
+            <translation>sangrar</translation>
+        </message>
+        <message>
+            <source>parting blade {width:g} mm</source>
+            <translation>bedame de {width:g} mm</translation>
         </message>
         <message>
             <source>parting off takes a blade for the outside</source>
@@ -22793,8 +22929,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>raio no fim de 0 mm ou mais</translation>
         </message>
         <message>
-            <source>radius {0} mm at z {1} mm</source>
-            <translation>raio {0} mm em z {1} mm</translation>
+            <source>radius {radius:.4g} mm at z {z:.4g} mm</source>
+            <translation>raio {radius:.4g} mm em z {z:.4g} mm</translation>
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
@@ -23293,6 +23429,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>configure a máquina de novo e referencie-a</translation>
         </message>
         <message>
+            <source>set the work zero anew and send it whole</source>
+            <translation>ajuste de novo o zero de trabalho e envie-o inteiro</translation>
+        </message>
+        <message>
             <source>set the zero again</source>
             <translation>defina o zero de novo</translation>
         </message>
@@ -23329,8 +23469,12 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>ponha width_mm em no máximo {width_mm:.2f}</translation>
         </message>
         <message>
-            <source>set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command</source>
-            <translation>aponte {cadquery} para um Python que tenha o CadQuery, ou {freecad} para o comando do FreeCAD</translation>
+            <source>set {cadquery} to a Python that has CadQuery</source>
+            <translation>aponte {cadquery} para um Python que tenha o CadQuery</translation>
+        </message>
+        <message>
+            <source>set {freecad} to FreeCAD's command</source>
+            <translation>aponte {freecad} para o comando do FreeCAD</translation>
         </message>
         <message>
             <source>sets G92 as it was: {array}</source>
@@ -23363,6 +23507,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>sheet {0} mm</source>
             <translation>chapa {0} mm</translation>
+        </message>
+        <message>
+            <source>sheet {number}</source>
+            <translation>chapa {number}</translation>
         </message>
         <message>
             <source>sheet {number}: the solid is thinner there than the sheet and fills {share:.0f} % of it</source>
@@ -23517,6 +23665,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>quadrado, círculo e esquadro precisam dos eixos X e Y</translation>
         </message>
         <message>
+            <source>start it again, and run the same command: what is done is not done again</source>
+            <translation>inicie-o de novo e execute o mesmo comando: o que está feito não é refeito</translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation>inicie-o com cncstepper send</translation>
         </message>
@@ -23531,6 +23683,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>start nearer to the part, then unlock with $X</source>
             <translation>comece mais perto da peça e destrave com $X</translation>
+        </message>
+        <message>
+            <source>start one for each core: dask worker ADDRESS</source>
+            <translation>inicie um para cada núcleo: dask worker ADDRESS</translation>
         </message>
         <message>
             <source>start one: dask scheduler --host 127.0.0.1, and dask worker for each core</source>
@@ -24159,6 +24315,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the connection service does not start</source>
             <translation>o processo da mesa de controle não inicia</translation>
+        </message>
+        <message>
+            <source>the connection to the scheduler is lost</source>
+            <translation>a conexão com o escalonador foi perdida</translation>
         </message>
         <message>
             <source>the connection {session_file} is open, but its process does not answer</source>
@@ -26289,6 +26449,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a porta de segurança foi aberta durante o referenciamento</translation>
         </message>
         <message>
+            <source>the scheduler has no workers</source>
+            <translation>o escalonador não tem processos de trabalho</translation>
+        </message>
+        <message>
             <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
             <translation>o riscador é a ferramenta {number} da tabela do LinuxCNC, cujos X e Y são o seu lugar ao lado da tocha</translation>
         </message>
@@ -26601,6 +26765,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o texto é longo demais</translation>
         </message>
         <message>
+            <source>the text is too long for a table of parts</source>
+            <translation>o texto é longo demais para uma tabela de peças</translation>
+        </message>
+        <message>
             <source>the thickness of material {number}</source>
             <translation>a espessura do material {number}</translation>
         </message>
@@ -26729,8 +26897,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a correção da ferramenta não pode ser mudada</translation>
         </message>
         <message>
-            <source>the tool runs into the {obstacle}</source>
-            <translation>a ferramenta colide com: {obstacle}</translation>
+            <source>the tool runs into the chuck</source>
+            <translation>a ferramenta colide com a placa</translation>
+        </message>
+        <message>
+            <source>the tool runs into the jaws</source>
+            <translation>a ferramenta colide com as castanhas</translation>
+        </message>
+        <message>
+            <source>the tool runs into the tailstock</source>
+            <translation>a ferramenta colide com o contraponto</translation>
         </message>
         <message>
             <source>the tool table cannot be read again</source>
@@ -27153,6 +27329,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não havia nada para ler</translation>
         </message>
         <message>
+            <source>these are more parts than one table takes</source>
+            <translation>são mais peças do que uma tabela comporta</translation>
+        </message>
+        <message>
             <source>these diagonals belong to no rectangle of these sides</source>
             <translation>estas diagonais não são de um retângulo com estes lados</translation>
         </message>
@@ -27377,6 +27557,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>os de splines contam {spline_weight} vezes</translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation>roscar</translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation>roscas só podem ser cortadas no plano ZX</translation>
         </message>
@@ -27539,6 +27723,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>turn with at most {most:.4g} rpm</source>
             <translation>gire no máximo a {most:.4g} rpm</translation>
+        </message>
+        <message>
+            <source>turning</source>
+            <translation>tornear</translation>
         </message>
         <message>
             <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
@@ -27993,6 +28181,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>espere até que pare, ou retenha-a</translation>
         </message>
         <message>
+            <source>wait until it is done, or name another folder</source>
+            <translation>espere até que termine, ou indique outra pasta</translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation>espere até que esteja referenciada</translation>
         </message>
@@ -28381,8 +28573,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva uma pastilha (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 ou drill:10; 2=drill:10 para a ferramenta 2</translation>
         </message>
         <message>
-            <source>write as the first line: {columns}</source>
-            <translation>escreva como primeira linha: {columns}</translation>
+            <source>write as the first line, with commas or semicolons: {columns}</source>
+            <translation>escreva como primeira linha, com vírgulas ou pontos e vírgulas: {columns}</translation>
         </message>
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
@@ -28689,10 +28881,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>zero de {axes} definido em {system}</translation>
         </message>
         <message>
-            <source>{0} (not offered)</source>
-            <translation>{0} (sem oferta)</translation>
-        </message>
-        <message>
             <source>{0} MB, {1} files</source>
             <translation>{0} MB, {1} arquivos</translation>
         </message>
@@ -28743,10 +28931,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{0} open edges</source>
             <translation>{0} arestas abertas</translation>
-        </message>
-        <message>
-            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
-            <translation>{0} peças em {1} chapas, {2} m cortados, {3} perfurações, {4} horas de máquina</translation>
         </message>
         <message>
             <source>{0} parts without a place</source>
@@ -29031,6 +29215,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{file}, {total} lines to send</source>
             <translation>{file}, {total} linhas a enviar</translation>
+        </message>
+        <message>
+            <source>{first:.4g} and {second:.4g} mm</source>
+            <translation>{first:.4g} e {second:.4g} mm</translation>
         </message>
         <message>
             <source>{first_file}: restart that one again; its restart's cuts count as cut</source>
@@ -29409,6 +29597,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{named} não pode trocar ferramentas por '{tool_change}'</translation>
         </message>
         <message>
+            <source>{name} (not offered)</source>
+            <translation>{name} (não oferecida)</translation>
+        </message>
+        <message>
             <source>{name} and {other} may not share a line: they use the same word</source>
             <translation>{name} e {other} não podem dividir uma linha: usam a mesma palavra</translation>
         </message>
@@ -29635,6 +29827,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{package} is not installed</source>
             <translation>{package} não está instalado</translation>
+        </message>
+        <message>
+            <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
+            <translation>{parts} peças em {sheets:.4g} chapas, {metres:.1f} m de corte, {pierces:.0f} perfurações, {hours:.2f} horas da máquina</translation>
         </message>
         <message>
             <source>{path} cannot be read: {error}</source>

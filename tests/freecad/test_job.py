@@ -449,3 +449,14 @@ def test_a_long_program_s_preview_is_thinned(document: Any) -> None:
     document.recompute()
     assert preview.Path.Size == 20_000
     assert preview.Path.Commands[-1].Parameters["Y"] == 249
+
+
+def test_a_contour_that_cannot_be_made_stains_no_other_operation(document: Any) -> None:
+    job = api.new_job(document, stock_size_mm=(100, 80, 10))
+    api.add_tool(job, diameter_mm=2)
+    flange = api.add_shape(document, "flange", outer_diameter_mm=40, holes=5)
+    disc = api.add_shape(document, "circle")
+    pocket = api.add_operation(job, "pocket", disc, depth_mm=1, stepover_mm=1)
+    contour = api.add_operation(job, "contour", flange, depth_mm=1)
+    document.recompute()
+    assert problem_of(pocket) == "" and "flange" in problem_of(contour)

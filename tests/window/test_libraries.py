@@ -17,6 +17,7 @@ from CNCStepper.machine.libraries.tool_library import library_path, library_tool
 from CNCStepper.workbench import api, panels
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
+from window_helpers.tables import put
 
 L = "CNCStepper_Library"
 TOOLS, MATERIALS, CHARTS = range(3)
@@ -48,27 +49,6 @@ def library(hand: Hand) -> Iterator[Any]:
     hand.main(close)
     hand.settle()
     shutil.rmtree(config_folder() / "tools", ignore_errors=True)
-
-
-def cell(page: Any, row: int, key: str) -> Any:
-    keys = [column.key for column in page.draft.library.columns]
-    return page.model.index(row, keys.index(key))
-
-
-def put(hand: Hand, page: Any, row: int, key: str, text: str) -> None:
-    """Type into a cell as a person does, with F2."""
-
-    def begin() -> None:
-        page.table.setCurrentIndex(cell(page, row, key))
-        page.table.scrollTo(cell(page, row, key))
-        page.table.setFocus()
-
-    hand.main(begin)
-    hand.key("F2")
-    hand.settle()
-    hand.type(text)
-    hand.key("Return")
-    hand.wait(lambda: page.draft.table[row].texts[key] == text, 5, f"{text} in {key}")
 
 
 @pytest.mark.window("plain", "portuguese")

@@ -15,7 +15,9 @@ from PySide import QtGui
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of, proxy_type
+from window_helpers import screen_places as places
 from window_helpers.hand import Hand
+from window_helpers.tables import put
 
 ROOT = Path(__file__).parents[2]
 SIGN = ROOT / "examples" / "drawings" / "sign.svg"
@@ -24,6 +26,7 @@ WORDS = {
     "en": ("sign (example)", "Pocket", "no rule", "flat end mill"),
     "pt": ("sign (exemplo)", "Bolsão", "nenhuma regra", "fresa de topo reto"),
 }
+TOOLS = "CNCStepper_Template_tools"
 RULES, PANEL = "CNCStepper_Panel_rules", "CNCStepper_Panel_rule_"
 VALUES = "stepdown_mm = 1.5\nstepover_mm = 1.2"
 
@@ -57,6 +60,23 @@ def put_values(text: str) -> None:
     """Put lines into the box: a test's keyboard types no line breaks there."""
     boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QPlainTextEdit)
     next(box for box in boxes if box.objectName() == f"{PANEL}values").setPlainText(text)
+
+
+def tools_become(hand: Hand, language: str) -> None:
+    """Add a tool 3 of 2.5 mm to the template by its dialog; a diameter that is none is refused there."""
+    hand.click("CNCStepper_Panel_template_tools")
+    dialog = hand.find(TOOLS)
+    page = dialog.page
+    hand.click(f"{TOOLS}_add")
+    put(hand, page, 2, "diameter_mm", "2,5 mm")
+    hand.click(f"{TOOLS}_ok")
+    hand.settle()
+    assert hand.exists(TOOLS) and hand.text(f"{TOOLS}_error")
+    hand.shot(f"template-tools-{language}")
+    assert hand.main(places.narrower_than_their_text, dialog) == []
+    put(hand, page, 2, "diameter_mm", "2,5")
+    hand.click(f"{TOOLS}_ok")
+    hand.wait(lambda: not hand.exists(TOOLS), 10, "the tools to be taken")
 
 
 def cut_by_px() -> int:
@@ -106,6 +126,8 @@ def test_rules_are_changed_saved_and_make_the_job(hand: Hand, language: str, tmp
     hand.choose(f"{PANEL}does", pocket)
     hand.wait(lambda: hand.exists(f"{PANEL}tool"), 10)
     hand.choose(f"{PANEL}tool", f"T1  3 mm  {flat}")
+    tools_become(hand, language)
+    hand.choose(f"{PANEL}tool", f"T3  2.5 mm  {flat}")
     hand.fill(f"{PANEL}depth", "5")
     hand.main(put_values, VALUES)
     hand.click("CNCStepper_Panel_rule_up")

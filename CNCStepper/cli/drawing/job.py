@@ -40,7 +40,7 @@ def command(
     with --strict they are refused. A CadQuery or build123d script (.py) is run once, here: its outline is written
     beside the job as DXF, which the job names, for a job runs no script.
     """
-    from CNCStepper.job.drawings.read_any import SCRIPT
+    from CNCStepper.drawing.read_drawing import SCRIPT
     from CNCStepper.job.templates.drawing_job import job_of_drawing
     from CNCStepper.job.templates.script_drawing import drawing_of_script
     from CNCStepper.job.templates.template import read_template

@@ -20,6 +20,7 @@ from CNCStepper.safe_text import printable
 MOST_CHARACTERS = 255
 BY_LAYER, BY_BLOCK, BLACK_OR_WHITE = 256, 0, 7
 BLACK = "#000000"
+ESCAPED = "\\U+"  # before the four hexadecimal digits of a letter
 
 
 @dataclass(frozen=True)
@@ -85,11 +86,18 @@ def entity_colour(entity: Any, layer: str, around: Insertion, layers: Layers) ->
     return colour_of(index, true_colour, layers.colour(layer), around.colour)
 
 
+def decoded(text: str) -> str:
+    """Return a text of a file with its \\U+XXXX as letters, as files before R2007 write what their code page lacks."""
+    from ezdxf import decode_dxf_unicode  # it takes 0.4 s
+
+    return str(decode_dxf_unicode(text)) if ESCAPED in text else text
+
+
 def attributes(layer: str, colour: str, handle: str, around: Insertion) -> Attributes:
     """Return the attributes of an entity; its texts are made printable."""
-    blocks = tuple(printable(block, MOST_CHARACTERS) for block in around.blocks)
+    blocks = tuple(printable(decoded(block), MOST_CHARACTERS) for block in around.blocks)
     name = blocks[-1] if blocks else printable(handle, MOST_CHARACTERS)
-    return Attributes(printable(layer, MOST_CHARACTERS), colour, name, (*around.groups, *blocks))
+    return Attributes(printable(decoded(layer), MOST_CHARACTERS), colour, name, (*around.groups, *blocks))
 
 
 def attribute(entity: Any, name: str, otherwise: Any) -> Any:

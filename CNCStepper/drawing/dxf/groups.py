@@ -10,10 +10,10 @@ from __future__ import annotations
 import re
 from typing import Any
 
+from CNCStepper.drawing.dxf.attributes import MOST_CHARACTERS, decoded
 from CNCStepper.drawing.dxf.limits import BINARY
 from CNCStepper.safe_text import printable
 
-MOST_CHARACTERS = 255
 _GROUP = re.compile(rb"\n[ \t]*0[ \t]*\r?\nGROUP[ \t]*\r?\n(.*?)(?=\n[ \t]*0[ \t]*\r?\n[A-Z])", re.DOTALL)
 _OWN = re.compile(rb"(?:^|\n)[ \t]*5[ \t]*\r?\n[ \t]*([0-9A-Fa-f]+)")
 _MEMBER = re.compile(rb"\n[ \t]*340[ \t]*\r?\n[ \t]*([0-9A-Fa-f]+)")
@@ -21,7 +21,9 @@ _MEMBER = re.compile(rb"\n[ \t]*340[ \t]*\r?\n[ \t]*([0-9A-Fa-f]+)")
 
 def groups_of(document: Any, content: bytes) -> dict[str, tuple[str, ...]]:
     """Return the names of the groups round each entity that is in one, by its handle in capitals."""
-    names = {str(group.dxf.handle).upper(): printable(name, MOST_CHARACTERS) for name, group in document.groups}
+    names = {
+        str(group.dxf.handle).upper(): printable(decoded(name), MOST_CHARACTERS) for name, group in document.groups
+    }
     if content.startswith(BINARY):
         members = {str(group.dxf.handle).upper(): list(group.handles()) for _, group in document.groups}
     else:

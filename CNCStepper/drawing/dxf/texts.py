@@ -20,6 +20,7 @@ from typing import Any
 
 import numpy as np
 
+from CNCStepper.drawing.dxf.attributes import decoded
 from CNCStepper.drawing.dxf.plain_entities import LARGEST
 from CNCStepper.drawing.text.font_files import find_face
 from CNCStepper.drawing.text.text_curves import (
@@ -67,7 +68,7 @@ class Texts:
     def _line(self, entity: Any) -> list[Curve]:
         from ezdxf.tools.text import plain_text
 
-        text = plain_text(str(entity.dxf.text))
+        text = plain_text(decoded(str(entity.dxf.text)))
         self._count(text)
         style = self._style(entity, entity.dxf.get("height", 0.0))
         style = replace(
@@ -95,13 +96,13 @@ class Texts:
         return [_placed(each, (x, y), flip, turn, first) for each in text_curves(style, text, self._tolerance)]
 
     def _multiline(self, entity: Any) -> list[Curve]:
-        lines = [str(line) for line in entity.plain_text(split=True, fast=False)]
+        lines = [decoded(str(line)) for line in entity.plain_text(split=True, fast=False)]
         self._count("".join(lines))
         if len(entity.text) > len("".join(lines)) + 2 * len(lines):
             self._warn("formats inside MTEXT are not applied")
         if entity.has_columns:
             self._warn("the columns of MTEXT are set one below the other")
-            lines = [str(line) for line in entity.all_columns_plain_text(split=True)]
+            lines = [decoded(str(line)) for line in entity.all_columns_plain_text(split=True)]
         height = entity.dxf.get("char_height", 0.0)
         pitch = PITCH * height * entity.dxf.get("line_spacing_factor", 1.0)
         style = replace(self._style(entity, height), line_pitch_mm=pitch)

@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Writes a drawing as DXF R2004 in mm: a polyline with bulges for each chain, on its layer and in its colour."""
+"""Writes a drawing as DXF R2004 in mm: a polyline with bulges for each chain, on its layer and in its colour.
+
+A layer whose name DXF does not allow gets one that no other layer has. Letters outside the code page are \\U+XXXX.
+"""
 
 from __future__ import annotations
 
 import io
+import itertools
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -14,6 +19,8 @@ from CNCStepper.output_files import MADE_BY
 
 NOT_IN_NAMES = str.maketrans(dict.fromkeys('<>/\\":;?*|=`', "_"))  # signs that a layer's name must not have
 LONGEST_NAME = 255
+LONGEST_NUMBER = 8  # characters of what tells equal names apart
+LAYER_0 = "0"  # that every file has
 
 
 def dxf_bytes(drawing: Drawing) -> bytes:
@@ -26,9 +33,10 @@ def dxf_bytes(drawing: Drawing) -> bytes:
     if drawing.kerf_mm is not None:
         document.header.custom_vars.append(KERF, repr(drawing.kerf_mm))
     space = document.modelspace()
+    layers = layer_names(chain.attributes.layer for chain in drawing.chains)
     for chain in drawing.chains:
         checkpoint()
-        attributes = _attributes(chain)
+        attributes = _attributes(chain, layers)
         if attributes["layer"] not in document.layers:
             document.layers.add(attributes["layer"])
         closed, rows = _rows(chain)
@@ -38,14 +46,36 @@ def dxf_bytes(drawing: Drawing) -> bytes:
     classes.classes = dict(sorted(classes.classes.items()))
     text = io.StringIO()
     document.write(text)
-    return f"999\n{MADE_BY}\n{text.getvalue()}".encode("utf-8", "replace")
+    return bytes(document.encode(f"999\n{MADE_BY}\n{text.getvalue()}"))
 
 
-def _attributes(chain: Chain) -> dict[str, Any]:
+def layer_names(layers: Iterable[str]) -> dict[str, str]:
+    """Return the name in the file for each layer: its own where DXF allows that, else another one that is free."""
+    allowed = {layer: _allowed(layer) for layer in layers}
+    names = {layer: name for layer, name in allowed.items() if layer == name} | {"": LAYER_0}
+    taken = set(names.values())
+    for layer, name in allowed.items():
+        if layer not in names:
+            names[layer] = next(free for free in _numbered(name) if free not in taken)
+            taken.add(names[layer])
+    return names
+
+
+def _allowed(layer: str) -> str:
+    return layer.translate(NOT_IN_NAMES)[:LONGEST_NAME].strip() or LAYER_0
+
+
+def _numbered(name: str) -> Iterable[str]:
+    """Yield a name, then it with the numbers 2, 3, ..."""
+    yield name
+    for number in itertools.count(2):
+        yield f"{name[: LONGEST_NAME - LONGEST_NUMBER]}_{number}"
+
+
+def _attributes(chain: Chain, layers: dict[str, str]) -> dict[str, Any]:
     """Return layer and colour as ezdxf takes them."""
     told = chain.attributes
-    layer = told.layer.translate(NOT_IN_NAMES)[:LONGEST_NAME].strip() or "0"
-    return {"layer": layer, **({"true_color": int(told.colour[1:], 16)} if told.colour else {})}
+    return {"layer": layers[told.layer], **({"true_color": int(told.colour[1:], 16)} if told.colour else {})}
 
 
 def _rows(chain: Chain) -> tuple[bool, np.ndarray]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from CNCStepper.drawing.drawing import Drawing, Share
-from CNCStepper.drawing.read_drawing import READERS, ReadOptions, read_drawing
+from CNCStepper.drawing.read_drawing import READERS, SCRIPT, ReadOptions, read_drawing
 
 ALL_READERS = READERS | {
     ".step": "CNCStepper.job.drawings.solids",
@@ -24,9 +24,6 @@ ALL_READERS = READERS | {
     ".csv": "CNCStepper.job.drawings.point_drawing",
     ".txt": "CNCStepper.job.drawings.point_drawing",
 }
-
-
-SCRIPT = ".py"
 
 
 def read_named_drawing(path: Path, options: ReadOptions, share: Share = lambda share: None) -> Drawing:

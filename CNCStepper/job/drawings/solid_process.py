@@ -30,14 +30,16 @@ from typing import IO, Any
 import CNCStepper
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.control.processes.python_finder import environment
+from CNCStepper.drawing.read_drawing import SCRIPT
 from CNCStepper.drawing.solids.process_limits import ANSWER, MEMORY_BYTES
-from CNCStepper.errors import JobError, MissingPackage, Place, Text
+from CNCStepper.errors import JobError, MissingPackage, Place, Text, joined
 from CNCStepper.job.drawings.windows_job_object import JobObject
 from CNCStepper.safe_text import printable
 
 CADQUERY_VARIABLE = "CNCSTEPPER_CADQUERY"  # a Python that has CadQuery; "none": do not use one
 FREECAD_VARIABLE = "CNCSTEPPER_FREECADCMD"  # FreeCAD's command; "none": do not use it
 NONE = "none"
+DOCUMENT = ".fcstd"
 FREECAD_NAMES = ("freecadcmd", "FreeCADCmd", "freecad.cmd")
 QUESTION = "CNCSTEPPER_SOLID"
 LIMIT_S = 60.0
@@ -89,9 +91,9 @@ def cadquery_python(asked: str) -> str:
 
 def engines(suffix: str) -> Iterator[Engine]:
     """Yield the programs on this machine that read a file of a suffix, the first choice first."""
-    if suffix != ".fcstd" and (python := cadquery_python(os.environ.get(CADQUERY_VARIABLE, ""))):
+    if suffix != DOCUMENT and (python := cadquery_python(os.environ.get(CADQUERY_VARIABLE, ""))):
         yield Engine(python, is_freecad=False)
-    if suffix != ".py" and (command := _freecad_command()):
+    if suffix != SCRIPT and (command := _freecad_command()):
         yield Engine(command, is_freecad=True)
 
 
@@ -115,12 +117,12 @@ def read_solid(path: Path, height: str, tolerance_mm: float, limit_s: float = LI
     output, status = _Run(*started, Place(str(path))).output(limit_s)
     found = [line[len(ANSWER) :] for line in output.splitlines() if line.startswith(ANSWER.encode("ascii"))]
     if not found:
-        raise _ended(status, Place(str(path)))
+        raise _ended(status, suffix, Place(str(path)))
     answer: dict[str, Any] = json.loads(found[-1])
     if "refused" in answer:
         code, why = map(str, answer["refused"])
         what = Text("the solid cannot be read: {why}", why=printable(why, MOST_WORDS))
-        raise JobError(code, what, advice="correct the file, or export it as STEP", place=Place(str(path)))
+        raise JobError(code, what, advice=_remedy(suffix), place=Place(str(path)))
     return answer
 
 
@@ -222,27 +224,30 @@ def _gigabytes(count: int) -> str:
     return f"{count / 1e9:g} GB"
 
 
-def _ended(status: int, place: Place) -> JobError:
+def _remedy(suffix: str) -> str:
+    """Return what a person does about a file that gives no solid."""
+    return "correct the script" if suffix == SCRIPT else "correct the file, or export it as STEP"
+
+
+def _ended(status: int, suffix: str, place: Place) -> JobError:
     """Return why a process gave no answer: which limit of the system ended it, or that it failed."""
     limits = {"SIGXFSZ": "it writes a file", "SIGXCPU": "it takes too long"}
     by_signal = {-int(getattr(signal, name)): why for name, why in limits.items() if hasattr(signal, name)}
     why = by_signal.get(status)
     if why is None:
         what = Text("the program that reads the solid ended without an answer (status {status})", status=status)
-        return JobError("solid-ended", what, advice="export the solid as STEP again", place=place)
+        return JobError("solid-ended", what, advice=_remedy(suffix), place=place)
     what = Text("the solid cannot be read: {why}", why=why)
-    return JobError("solid-script", what, advice="correct the script", place=place)
+    return JobError("solid-script", what, advice=_remedy(suffix), place=place)
 
 
 def _missing(suffix: str, place: Place) -> MissingPackage:
-    programs = {".py": "CadQuery or build123d", ".fcstd": "FreeCAD"}.get(suffix, "CadQuery or FreeCAD")
+    programs = {SCRIPT: "CadQuery or build123d", DOCUMENT: "FreeCAD"}.get(suffix, "CadQuery or FreeCAD")
+    cadquery = Text("set {cadquery} to a Python that has CadQuery", cadquery=CADQUERY_VARIABLE)
+    freecad = Text("set {freecad} to FreeCAD's command", freecad=FREECAD_VARIABLE)
     return MissingPackage(
         "solid-program",
         Text("reading '{suffix}' files needs {programs}, which is not installed", suffix=suffix, programs=programs),
-        advice=Text(
-            "set {cadquery} to a Python that has CadQuery, or {freecad} to FreeCAD's command",
-            cadquery=CADQUERY_VARIABLE,
-            freecad=FREECAD_VARIABLE,
-        ),
+        advice={SCRIPT: cadquery, DOCUMENT: freecad}.get(suffix, joined("; ", (cadquery, freecad))),
         place=place,
     )

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.drawing.drawing import Drawing, Share
-from CNCStepper.drawing.read_drawing import ReadOptions
+from CNCStepper.drawing.read_drawing import SCRIPT, ReadOptions
 from CNCStepper.drawing.solids.edge_curves import canonical, loops_of, ordered
 from CNCStepper.drawing.solids.mesh_outline import outline, outline_area_mm2
 from CNCStepper.drawing.solids.solid_drawing import OUTLINE, solid_drawing
@@ -18,7 +18,7 @@ from CNCStepper.errors import JobError, Place, placed
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.fitting.point_fit import refitted
 from CNCStepper.input_file import read_input
-from CNCStepper.job.drawings.solid_process import LIMIT_S, read_solid
+from CNCStepper.job.drawings.solid_process import DOCUMENT, LIMIT_S, read_solid
 
 MOST_BYTES = 100_000_000
 MOST_SCRIPT_BYTES = 1_000_000
@@ -36,7 +36,7 @@ def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
 def require_readable(path: Path) -> None:
     """Raise JobError for a file that is too large, that is empty, or that is no document where it should be one."""
     content = read_input(path, MOST_BYTES)
-    if path.suffix.casefold() == ".fcstd":
+    if path.suffix.casefold() == DOCUMENT:
         _require_small(path, Place(str(path)))
     elif not content.strip():
         raise JobError("solid-file", "the file is empty", advice="export it again", place=Place(str(path)))
@@ -48,7 +48,7 @@ def read_script(path: Path, options: ReadOptions, share: Share, limit_s: float |
     A script is a program: never call this for a file that a document or a job names. It ends after `limit_s`,
     LIMIT_S for None, and as soon as it takes too much memory, writes a file, starts a process or opens a connection.
     """
-    if path.suffix.casefold() != ".py":
+    if path.suffix.casefold() != SCRIPT:
         advice = "name a script with the suffix .py"
         raise JobError("solid-script", "this is no Python script", advice=advice, place=Place(str(path)))
     read_input(path, MOST_SCRIPT_BYTES)

@@ -90,14 +90,33 @@ def job_of_drawing(
         raise _untaken(found, drawing_path)
     content = _Maker(template, drawing_path, job_path.parent, found).content(material)
     title = f"{drawing_path.name} by the template {template.path.name}, {MADE_BY}"
+    job = job_by_template(template, copy.deepcopy(content), job_path)
     with placed(Place(str(template.path))):
-        job = job_of_content(copy.deepcopy(content), job_path)
         require_kerf(job, {} if drawing.kerf_mm is None else dict.fromkeys(kerfs_mm(job), drawing.kerf_mm))
     counts = tuple(
         (rule.named(number), len(chains))
         for number, (rule, chains) in enumerate(zip(template.rule, found.taken, strict=True), start=1)
     )
     return DrawingJob(content, title, job, found.untaken_counts, counts)
+
+
+def job_by_template(template: Template, content: Content, job_path: Path) -> Job:
+    """Return the job of a content that a template made, which is used up; an error of an operation names its rule."""
+    titles = enumerate(map(operation_title, content["operation"]), start=1)
+    rules = {f"{job_path} operation {number}": f"{template.path} rule '{title}'" for number, title in titles}
+    try:
+        with placed(Place(str(template.path))):
+            return job_of_content(content, job_path)
+    except JobError as error:
+        if error.place is None or error.place.file not in rules:
+            raise
+        raise error.at(Place(rules[error.place.file])) from error
+
+
+def operation_title(operation: Mapping[str, Any]) -> str:
+    """Return the name of the first shape of an operation, which is its rule's."""
+    shapes = next(operation[key] for key in ("region", "outlines", "curves", "pattern") if key in operation)
+    return str((shapes["circles"] if isinstance(shapes, dict) else shapes)[0])
 
 
 def content_in_place(template: Template, drawing_path: Path, found: Assignment) -> tuple[Content, tuple[float, float]]:

@@ -16,12 +16,10 @@ from typing import Any
 
 from CNCStepper.drawing.chain_list import counts_of
 from CNCStepper.drawing.drawing import Chain, Drawing, Share
-from CNCStepper.errors import Place, placed
 from CNCStepper.job.cut_transfer import content_of
 from CNCStepper.job.drawings.linked_file import FileState, file_state
 from CNCStepper.job.drawings.packed_curves import packed_curves
-from CNCStepper.job.model import job_of_content
-from CNCStepper.job.templates.drawing_job import content_in_place, read_by_template
+from CNCStepper.job.templates.drawing_job import content_in_place, job_by_template, operation_title, read_by_template
 from CNCStepper.job.templates.rules import Assignment, assigned
 from CNCStepper.job.templates.template import Template, template_of
 
@@ -54,13 +52,6 @@ def _taken(chains: Sequence[Chain]) -> Answer:
 
 def _job(template: Template, file: Path, found: Assignment) -> Answer:
     content, offset_mm = content_in_place(template, file, found)
-    titles = [_title(operation) for operation in content["operation"]]
-    with placed(Place(str(template.path))):
-        job = job_of_content(content, file.with_suffix(".toml"))
+    titles = list(map(operation_title, content["operation"]))
+    job = job_by_template(template, content, file.with_suffix(".toml"))
     return {"job": content_of(job), "titles": titles, "offset_mm": list(offset_mm)}
-
-
-def _title(operation: dict[str, Any]) -> str:
-    """Return the name of the first shape of an operation, which is its rule's."""
-    shapes = next(operation[key] for key in ("region", "outlines", "curves", "pattern") if key in operation)
-    return str((shapes["circles"] if isinstance(shapes, dict) else shapes)[0])

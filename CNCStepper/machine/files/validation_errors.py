@@ -17,6 +17,15 @@ from CNCStepper.safe_text import printable
 
 MOST_KEY = 200  # characters of a key's path that are shown
 BOUNDS = {"gt": "above", "ge": "at least", "lt": "below", "le": "at most"}
+WRONG_TYPES = {  # by pydantic's name of the problem
+    "bool_type": Text("must be true or false"),
+    "bool_parsing": Text("must be true or false"),
+    "string_type": Text("must be a text in quotes"),
+    "dict_type": Text("must be a table"),
+    "model_type": Text("must be a table"),
+    "list_type": Text("must be a list"),
+    "tuple_type": Text("must be a list"),
+}
 
 
 def refusal_of(model: type[BaseModel], error: ValidationError, file: str) -> JobError:
@@ -64,6 +73,8 @@ def message_of(problem: ErrorDetails) -> str:
     raised = problem.get("ctx", {}).get("error")
     if isinstance(raised, ValueError) and raised.args and isinstance(raised.args[0], str):
         return raised.args[0]
+    if problem["type"] in WRONG_TYPES:
+        return WRONG_TYPES[problem["type"]]
     return printable(problem["msg"].removeprefix("Value error, "))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The user's tools: a tool library of FreeCAD's own form, CONFIG/cncstepper/tools/library.fctl with its bits beside it.
+"""Tools as a table; and the user's: a tool library of FreeCAD's own form, CONFIG/cncstepper/tools/library.fctl.
 
 Imports and exports are those of `machine/tools/tool_files.py`: `.fctb` and `.fctl` of FreeCAD, `.tbl` of LinuxCNC.
 """
@@ -15,6 +15,7 @@ from CNCStepper.errors import Text
 from CNCStepper.input_file import is_there
 from CNCStepper.machine.files.profile_files import config_folder
 from CNCStepper.machine.libraries.table_draft import Column, Problems, Values, doubled, model_problem
+from CNCStepper.machine.profile import validated
 from CNCStepper.machine.tools.freecad_tool_bits import WRITTEN, bit_files
 from CNCStepper.machine.tools.stored_tool import StoredTool
 from CNCStepper.machine.tools.tool import Tool
@@ -22,33 +23,32 @@ from CNCStepper.machine.tools.tool_files import ENDINGS, read_tools, write_tools
 
 NUMBER, NAME = "number", "name"
 WHOLE = ("number", "flutes")
-CHOICES = {"shape": tuple(WRITTEN), "made_of": ("carbide", "hss")}
+MADE_OF = ("carbide", "hss")
 NEEDED = ("number", "shape", "diameter_mm")
 NEW = {"shape": "flat", "diameter_mm": 6.0, "made_of": "carbide"}
 
 
-class ToolLibrary:
-    """The user's tools as a table: a row a tool, by the keys of a job file's `[[tool]]` and its name."""
-
-    ENDINGS: tuple[str, ...] = ENDINGS
-    columns: tuple[Column, ...] = (
-        Column(NUMBER, "whole", is_needed=True),
-        Column(NAME, "text"),
-        *(
-            Column(
-                key,
-                "choice" if key in CHOICES else "whole" if key in WHOLE else "number",
-                CHOICES.get(key, ()),
-                key in NEEDED,
-            )
-            for key in Tool.model_fields
-            if key != NUMBER
-        ),
+def tool_columns(shapes: Sequence[str], needed: Sequence[str] = NEEDED) -> tuple[Column, ...]:
+    """Return a column for each key of a job file's `[[tool]]`, the number first."""
+    choices = {"shape": tuple(shapes), "made_of": MADE_OF}
+    return tuple(
+        Column(
+            key,
+            "choice" if key in choices else "whole" if key in WHOLE else "number",
+            choices.get(key, ()),
+            key in needed,
+        )
+        for key in Tool.model_fields
     )
 
-    def rows(self) -> list[tuple[Values, Any]]:
-        """Return the tools of the user's library; none where there is no file. Raises JobError for a bad one."""
-        return self.read(library_path())[0] if is_there(library_path()) else []
+
+LIBRARY_COLUMNS = tool_columns(tuple(WRITTEN))
+
+
+class ToolTable:
+    """Tools as a table, a row a tool by the keys of a job file's `[[tool]]`: new rows, what is wrong, other files."""
+
+    ENDINGS: tuple[str, ...] = ENDINGS
 
     def new_row(self, rows: Sequence[Values]) -> Values:
         """Return a mill with the next free number."""
@@ -59,20 +59,10 @@ class ToolLibrary:
         """Return what is wrong with tools: their values, and numbers that two have."""
         problems = doubled(rows, NUMBER)
         for number, row in enumerate(rows):
-            if found := model_problem(Tool, _keys(row)):
+            if found := model_problem(Tool, given_values(row)):
                 place, sentence = found
                 problems.setdefault((number, place[0] if place else _named_key(sentence)), sentence)
         return problems
-
-    def save(self, rows: Sequence[tuple[Values, Any]]) -> Path:
-        """Write the library whole, and delete the bits of tools that are not in it any more."""
-        path = library_path()
-        path.parent.mkdir(parents=True, exist_ok=True)
-        stored = [_stored(values, kept) for values, kept in rows]
-        write_tools(stored, path)
-        for bit in set(path.parent.glob("*.fctb")) - set(bit_files(stored, path)):
-            bit.unlink()
-        return path
 
     def read(self, path: Path) -> tuple[list[tuple[Values, Any]], list[str]]:
         """Return the tools of a file with their own content, and notes on those that are left out; raises JobError."""
@@ -85,6 +75,26 @@ class ToolLibrary:
     def write(self, rows: Sequence[tuple[Values, Any]], path: Path) -> list[str]:
         """Write tools into a file of another program, and return notes on what it does not hold; raises JobError."""
         return write_tools([_stored(values, kept) for values, kept in rows], path)
+
+
+class ToolLibrary(ToolTable):
+    """The user's tools, with their names."""
+
+    columns: tuple[Column, ...] = (LIBRARY_COLUMNS[0], Column(NAME, "text"), *LIBRARY_COLUMNS[1:])
+
+    def rows(self) -> list[tuple[Values, Any]]:
+        """Return the tools of the user's library; none where there is no file. Raises JobError for a bad one."""
+        return self.read(library_path())[0] if is_there(library_path()) else []
+
+    def save(self, rows: Sequence[tuple[Values, Any]]) -> Path:
+        """Write the library whole, and delete the bits of tools that are not in it any more."""
+        path = library_path()
+        path.parent.mkdir(parents=True, exist_ok=True)
+        stored = [_stored(values, kept) for values, kept in rows]
+        write_tools(stored, path)
+        for bit in set(path.parent.glob("*.fctb")) - set(bit_files(stored, path)):
+            bit.unlink()
+        return path
 
 
 def library_path() -> Path:
@@ -119,12 +129,13 @@ def _values(stored: StoredTool) -> Values:
 
 
 def _stored(values: Values, kept: Any) -> StoredTool:
-    tool = Tool.model_validate(_keys(values))
+    tool = validated(Tool, given_values(values), f"tool {values[NUMBER]}")
     before = kept or StoredTool(tool.number, "", None)
     return replace(before, number=tool.number, name=values.get(NAME) or tool.words, tool=tool)
 
 
-def _keys(values: Values) -> Values:
+def given_values(values: Values) -> Values:
+    """Return the keys of a `[[tool]]` that a row gives."""
     return {key: value for key, value in values.items() if value is not None and key != NAME}
 
 

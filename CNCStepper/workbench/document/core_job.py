@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+import contextlib
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
 
 from CNCStepper.cycles.cycle import Setup
+from CNCStepper.errors import CNCStepperError
 from CNCStepper.job import cut_transfer
 from CNCStepper.job.cut_transfer import content_of, machine_content, program_texts
 from CNCStepper.job.deferred_fitting import once
@@ -38,6 +40,8 @@ __all__ = [
     "setup_of",
     "without_operations",
 ]
+
+Made = TypeVar("Made")
 
 
 def programs(obj: Any) -> list[tuple[str, str]]:
@@ -77,8 +81,7 @@ def _contents(obj: Any, operations: Sequence[Any]) -> list[Content]:
 
 def _contour_contents(obj: Any) -> list[tuple[str, Content]]:
     """Return the names and the contents of a job object's contours on which the cuts of others depend."""
-    contours = _contours(obj)
-    return list(zip([each.Name for each in contours], _contents(obj, contours), strict=True))
+    return [(each.Name, content) for each, content in _contours(obj, lambda each: _contents(obj, [each])[0])]
 
 
 def job_of(obj: Any) -> Job:
@@ -142,8 +145,9 @@ def setup_of(obj: Any, operation: Any, cycle: Any) -> Setup:
 
 def _setting(obj: Any, operation: Any, cycle: Any) -> Job:
     """Return a job of one operation and of what else counts for it."""
-    seen = [each for each in _contours(obj) if each is not operation] if depends_on_contours(cycle) else []
-    contours = [each.Proxy.cycle(each, tuple(obj.WorkOrigin)) for each in seen]
+    origin_mm = tuple(obj.WorkOrigin)
+    seen = _contours(obj, lambda each: each.Proxy.cycle(each, origin_mm)) if depends_on_contours(cycle) else []
+    contours = [made for each, made in seen if each is not operation]
     return _bare(obj).model_copy(update={"tool": (model_of(operation.Tool),), "operation": (cycle, *contours)})
 
 
@@ -162,10 +166,17 @@ def _bare(obj: Any) -> Job:
     )
 
 
-def _contours(obj: Any) -> list[Any]:
-    """Return the operations on which the cuts of others depend, without those that cannot be made."""
-    contours = [each for each in active_operations(obj) if each.Proxy.CYCLE == "contour"]
-    return [each for each in contours if not problem_of(each)]
+def _contours(obj: Any, make: Callable[[Any], Made]) -> list[tuple[Any, Made]]:
+    """Return the operations on which the cuts of others depend, each with what `make` gives, without those it cannot.
+
+    Such a one says itself what is wrong, when it is made; another operation is none the worse for it.
+    """
+    found = []
+    for each in active_operations(obj):
+        if each.Proxy.CYCLE == "contour" and not problem_of(each):
+            with contextlib.suppress(CNCStepperError):
+                found.append((each, make(each)))
+    return found
 
 
 def read_back(job: Any, text: str) -> Toolpath:

@@ -55,9 +55,12 @@ def _piece_of(edge: Any) -> Piece:
 
 
 def curve_of_chain(chain: Sequence[Piece], tolerance_mm: float) -> Curve:
-    """Return pieces in the order in which they touch as one curve, each turned so that it goes on."""
+    """Return pieces in the order in which they touch as one curve, each turned so that it goes on.
+
+    The first one keeps its direction where it can: two halves of a circle touch at both ends, but for rounding errors.
+    """
     pieces = [fit_of(piece, tolerance_mm) if isinstance(piece, Line) else piece for piece in chain]
-    if len(pieces) > 1 and _gap(pieces[0].xy[-1], pieces[1]) > _gap(pieces[0].xy[0], pieces[1]):
+    if len(pieces) > 1 and _gap(pieces[0].xy[-1], pieces[1]) > max(_gap(pieces[0].xy[0], pieces[1]), SHORTEST_MM):
         pieces[0] = pieces[0].reversed()
     for number, piece in enumerate(pieces[1:], start=1):
         last = pieces[number - 1].xy[-1]

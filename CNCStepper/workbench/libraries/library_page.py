@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A page of the dialog: one library's table with its search, buttons, and what is wrong in it."""
+"""A table of rows with its search, buttons, and what is wrong in it; and a page of the dialog, which saves them."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from CNCStepper.workbench.services.translation import tr
 WIDEST_PX = 220  # of a column at first
 
 
-class Page(QtGui.QWidget):
-    """The table of a library; `name` is the beginning of its widgets' names."""
+class TablePage(QtGui.QWidget):
+    """The table of a library while it is edited; `name` is the beginning of its widgets' names."""
 
     def __init__(self, library: Library, name: str, parent: Any):
         super().__init__(parent)
@@ -69,8 +69,6 @@ class Page(QtGui.QWidget):
         problem = self.model.first_problem()
         self.note.setText(problem)
         self.note.setVisible(bool(problem))
-        self.save_button.setEnabled(self.draft.is_changed and not problem)
-        self.revert_button.setEnabled(self.draft.is_changed)
         self.export_button.setEnabled(bool(self.draft.table) and not problem)
 
     def rows(self) -> list[int]:
@@ -94,21 +92,6 @@ class Page(QtGui.QWidget):
     def delete(self) -> None:
         """Delete the marked rows."""
         self.draft.delete(self.rows())
-        self._show_rows()
-
-    def save(self) -> None:
-        """Write the user's own file."""
-        try:
-            path = self.draft.save()
-        except (CNCStepperError, OSError) as error:
-            messages.error(error)
-            return
-        self._show_rows()
-        messages.note(tr("{0} was written").format(path))
-
-    def revert(self) -> None:
-        """Show what the file holds."""
-        self.draft.begin()
         self._show_rows()
 
     def import_file(self, path: str) -> None:
@@ -152,8 +135,6 @@ class Page(QtGui.QWidget):
         tip = tr("Write the marked rows, or all, into a file: {0}").format(endings)
         self.export_button = self.button("export", tr("Export…"), tip, lambda: self._ask_file(True))
         self.buttons.addStretch(1)
-        self.revert_button = self.button("revert", tr("Revert"), tr("Show what is saved"), self.revert)
-        self.save_button = self.button("save", tr("Save"), tr("Keep the table as your own"), self.save)
 
     def _show_rows(self) -> None:
         self.model.look()
@@ -183,3 +164,33 @@ class Page(QtGui.QWidget):
             dialog.setFileMode(dialog.FileMode.ExistingFile)
         dialog.fileSelected.connect(guarded(self.export_file if writing else self.import_file))
         dialog.open()
+
+
+class Page(TablePage):
+    """The table of a library of the user's own, with buttons that save and revert it."""
+
+    def look(self) -> None:
+        """Show what is wrong, and what can be done."""
+        super().look()
+        self.save_button.setEnabled(self.draft.is_changed and not self.model.problems)
+        self.revert_button.setEnabled(self.draft.is_changed)
+
+    def save(self) -> None:
+        """Write the user's own file."""
+        try:
+            path = self.draft.save()
+        except (CNCStepperError, OSError) as error:
+            messages.error(error)
+            return
+        self._show_rows()
+        messages.note(tr("{0} was written").format(path))
+
+    def revert(self) -> None:
+        """Show what the file holds."""
+        self.draft.begin()
+        self._show_rows()
+
+    def _add_buttons(self) -> None:
+        super()._add_buttons()
+        self.revert_button = self.button("revert", tr("Revert"), tr("Show what is saved"), self.revert)
+        self.save_button = self.button("save", tr("Save"), tr("Keep the table as your own"), self.save)

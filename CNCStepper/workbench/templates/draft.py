@@ -150,6 +150,12 @@ class Draft:
         """The tools that the template's own keys give."""
         return [tool for tool in self.content.get("tool", []) if isinstance(tool, dict)]
 
+    def put_tools(self, tools: list[Content]) -> None:
+        """Give the template other tools of its own; none takes the key out."""
+        self.content["tool"] = tools
+        if not tools:
+            del self.content["tool"]
+
     @property
     def sheet_cuts(self) -> list[str]:
         """The titles of the rules whose sheet cut takes marks."""

@@ -17,6 +17,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.job.drawings.packed_curves import unpacked_curves
+from CNCStepper.job.templates.template import template_of
 from CNCStepper.job.templates.template_files import template_folder, template_paths, with_whole_paths, write_template
 from CNCStepper.machine.files.profile_files import SUFFIX
 from CNCStepper.machine.files.toml_reader import read_toml
@@ -27,7 +28,7 @@ from CNCStepper.workbench.document.template_jobs import TemplateQuestion, asked_
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.features.drawings.drawing import path_of
 from CNCStepper.workbench.panels.background_panel import button_row
-from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WorkNote, note_label
+from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WorkNote, named_button, note_label
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded, note
@@ -37,6 +38,7 @@ from CNCStepper.workbench.templates.draft import Content, Draft, rule_of, texts_
 from CNCStepper.workbench.templates.rule_form import RuleForm
 from CNCStepper.workbench.templates.rule_list import RuleList
 from CNCStepper.workbench.templates.taken_view import TakenView
+from CNCStepper.workbench.templates.tool_dialog import open_template_tools
 
 ASK_AFTER_MS = 200  # without a key
 STOCK = ("thickness_mm", "margin_mm")
@@ -101,8 +103,11 @@ class TemplatePanel:
         head, foot = QtGui.QFormLayout(), QtGui.QFormLayout()
         head.addRow(tr("Template"), self.template)
         head.addRow(button_row(files, self.form))
+        tip = tr("Add, change and delete the tools of this template")
+        self.tools = named_button(f"{NAME}_template_tools", tr("Tools…"), tip, self._ask_tools, self.form)
         for line in self.stock.values():
             head.addRow(line.accessibleName(), line)
+        head.addRow(self.tools)
         foot.addRow(tr("Job"), self.job)
         column = QtGui.QVBoxLayout(self.form)
         column.addLayout(head)
@@ -140,7 +145,7 @@ class TemplatePanel:
         """Show the template that is chosen, from its file or from the job."""
         path = self.template.itemData(self.template.currentIndex())
         try:
-            self._take(Draft(read_toml(Path(path)), Path(path)) if path else self._new())
+            self._take(_read(Path(path)) if path else self._new())
         except CNCStepperError as error:
             self._say(translated(error.sentence))
 
@@ -230,6 +235,11 @@ class TemplatePanel:
         taken = self._answer and (self._answer["rules"][row] if is_rule else self._answer["untaken"])
         self._view.draw(unpacked_curves(taken["curves"]) if taken and row >= 0 else (), untaken=not is_rule)
         self.counts.setText("\n".join(map(_count_words, taken["rows"])) if taken and row >= 0 else "")
+
+    def _ask_tools(self) -> None:
+        """Let a person change the template's tools; the rule that is shown then offers them."""
+        if self._typed():
+            open_template_tools(self.draft, lambda: self._show(self.rules.row), self.form)
 
     # --- the process -------------------------------------------------------------------------------
 
@@ -375,6 +385,13 @@ class TemplatePanel:
         dialog.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.fileSelected.connect(guarded(take))
         return dialog
+
+
+def _read(path: Path) -> Draft:
+    """Return the template of a file; raises JobError for one that is none."""
+    content = read_toml(path)
+    template_of(content, path)
+    return Draft(content, path)
 
 
 def _job() -> Any:

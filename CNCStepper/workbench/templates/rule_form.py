@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 from CNCStepper.cycles.catalogue import cycle_class
 from CNCStepper.job.shapes import SHAPE_KEYS
 from CNCStepper.job.templates.template import THROUGH
+from CNCStepper.machine.libraries.table_draft import text_of
 from CNCStepper.workbench.panels.fields import NAME
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.messages import guarded
@@ -155,4 +156,4 @@ def _show(line: Any, text: str) -> None:
 
 def _tool_words(tool: Content) -> str:
     name = tool.get("name") or words_of(str(tool.get("shape", "")))
-    return f"T{tool.get('number', 0)}  {tool.get('diameter_mm', 0):g} mm  {name}"
+    return f"T{tool.get('number', 0)}  {text_of(tool.get('diameter_mm'))} mm  {name}"

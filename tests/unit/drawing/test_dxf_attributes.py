@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import ezdxf
+import numpy as np
 import pytest
 
 from CNCStepper.drawing.dxf.reader import read_dxf
@@ -62,6 +63,27 @@ def test_a_block_gives_layer_0_and_colour_by_block_and_its_name(tmp_path: Path) 
     ]
     alone = found[3]
     assert alone.groups == () and document.entitydb[alone.name].dxf.radius == 50
+
+
+def test_names_and_texts_outside_of_the_code_page_are_read_in_their_letters(tmp_path: Path) -> None:
+    document = ezdxf.new("R2004", setup=True, units=ezdxf.units.MM)
+    space = document.modelspace()
+    document.blocks.new("furo 孔").add_circle((0, 0), 1, dxfattribs={"layer": "切断"})
+    space.add_circle((0, 0), 5, dxfattribs={"layer": "切断"})
+    space.add_blockref("furo 孔", (9, 9))
+    document.styles.new("sans", dxfattribs={"font": "DejaVuSans.ttf"})
+    space.add_text("Ω", dxfattribs={"layer": "çã", "style": "sans", "height": 2.5})
+    space.add_mtext("Ω", dxfattribs={"layer": "çã", "style": "sans", "char_height": 2.5})
+    path = tmp_path / "escaped.dxf"
+    document.saveas(path)
+    assert b"\\U+5207" in path.read_bytes()
+    chains = read_dxf(path, 0.01).chains
+    found = [chain.attributes for chain in chains]
+    assert [each.layer for each in found] == ["切断", "切断", "çã", "çã"] and found[1].name == "furo 孔"
+    boxes = [chain.curve.box_mm for chain in chains[2:]]
+    assert [np.ptp(np.reshape(box, (2, 2)), axis=0).tolist() for box in boxes] == [
+        pytest.approx([2.3, 2.5], abs=0.4)
+    ] * 2
 
 
 @pytest.mark.parametrize("binary", [False, True])

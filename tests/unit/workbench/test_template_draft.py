@@ -9,11 +9,14 @@ from pathlib import Path
 import pytest
 
 from CNCStepper.errors import JobError
+from CNCStepper.job.templates.drawing_job import job_of_drawing
 from CNCStepper.job.templates.template import read_template
 from CNCStepper.job.templates.template_files import with_whole_paths, write_template
 from CNCStepper.machine.files.toml_reader import read_toml
+from CNCStepper.machine.libraries.table_draft import TableDraft
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.templates.draft import Draft, RuleTexts, first_rules, rule_of, takes_words, texts_of
+from CNCStepper.workbench.templates.tool_table import TemplateTools
 
 EXAMPLES = sorted((Path(__file__).parents[3] / "examples" / "templates").glob("*.toml"))
 
@@ -67,6 +70,60 @@ def test_rules_are_added_moved_and_deleted_and_the_file_is_the_same_template(tmp
     draft.put_stock("thickness_mm", "3,5")
     draft.put_material("birch")
     assert (draft.content["stock"]["thickness_mm"], draft.content["material"]) == (3.5, "birch")
+
+
+def typed(draft: Draft, row: int, **cells: str) -> TableDraft:
+    table = TableDraft(TemplateTools(draft))
+    if row == len(table.table):
+        table.add(row - 1)
+    table.table[row].texts.update(cells)
+    return table
+
+
+def test_tools_are_added_changed_and_deleted_and_the_job_has_them(tmp_path: Path) -> None:
+    path = next(each for each in EXAMPLES if each.stem == "sign")
+    draft = Draft(read_toml(path), path)
+    keys, before = list(draft.content), draft.tools
+    typed(draft, 1, diameter_mm="8,5", flutes="").save()
+    typed(draft, 2, shape="v", diameter_mm="12", tip_angle_deg="60").save()
+    changed = {"number": 2, "shape": "flat", "diameter_mm": 8.5}
+    v_bit = {"number": 3, "shape": "v", "diameter_mm": 12, "tip_angle_deg": 60, "made_of": "carbide"}
+    assert draft.tools == [before[0], changed, v_bit] and list(draft.content) == keys
+    written = tmp_path / "own.toml"
+    write_template(with_whole_paths(draft.content, path.parent), written)
+    job = job_of_drawing(read_template(written), path.parents[1] / "drawings" / "sign.svg", tmp_path / "j.toml").job
+    assert [(tool.number, tool.diameter_mm) for tool in job.tool] == [(1, 3), (2, 8.5), (3, 12)]
+    table = typed(draft, 0)
+    table.delete(range(3))
+    table.save()
+    assert "tool" not in draft.content and draft.tools == []
+
+
+def test_a_bad_tool_is_told_at_its_cell_and_beside_a_tool_file_a_part_is_enough() -> None:
+    content = {"tool": [{"number": 1, "feed_mm_min": 800, "word": "kept"}], "rule": [{"ignore": True}]}
+    assert set(typed(Draft(content, Path("t.toml")), 0, feed_mm_min="fast").judged()[1]) == {
+        (0, "shape"), (0, "diameter_mm"), (0, "feed_mm_min"),
+    }  # fmt: skip
+    draft = Draft({**content, "tools": "shop.fctl"}, Path("t.toml"))
+    table = typed(draft, 0, feed_mm_min="900")
+    assert not table.judged()[1]
+    table.save()
+    assert draft.tools == [{"number": 1, "feed_mm_min": 900, "word": "kept"}]
+    doubled = typed(draft, 1, number="1")
+    assert set(doubled.judged()[1]) == {(1, "number")}
+    jet = typed(Draft({"tool": []}, Path("t.toml")), 0, shape="jet", diameter_mm="0.2")
+    assert not jet.judged()[1]
+    with pytest.raises(JobError, match="no tool bit"):
+        jet.export_file(Path("jet.fctl"), [0])
+
+
+def test_tools_come_from_another_file_with_free_numbers(tmp_path: Path) -> None:
+    draft = Draft({"tool": [{"number": 1, "shape": "flat", "diameter_mm": 6}]}, Path("t.toml"))
+    table = TableDraft(TemplateTools(draft))
+    assert table.export_file(tmp_path / "tools.fctl", [0]) == []
+    table.import_file(tmp_path / "tools.fctl")
+    table.save()
+    assert [(tool["number"], tool["diameter_mm"]) for tool in draft.tools] == [(1, 6), (2, 6)]
 
 
 def test_a_template_that_is_none_is_not_written(tmp_path: Path) -> None:

@@ -139,7 +139,7 @@ def test_a_script_that_does_more_than_draw_is_ended_with_the_reason(
     stand_in: Path, script: str, code: str, why: str
 ) -> None:
     error = refused(stand_in, script)
-    assert error.code == code and why in error.what
+    assert error.code == code and why in error.what and error.advice == "correct the script"
     assert (stand_in / "part.py").exists()
 
 
@@ -166,7 +166,10 @@ def test_without_a_program_that_reads_solids_the_refusal_names_both(monkeypatch:
     monkeypatch.setenv("CNCSTEPPER_FREECADCMD", "none")
     with pytest.raises(MissingPackage, match="CadQuery or FreeCAD") as refusal:
         read(BRACKET, 3.0)
-    assert "CNCSTEPPER_CADQUERY" in refusal.value.advice
+    assert "CNCSTEPPER_CADQUERY" in refusal.value.advice and "CNCSTEPPER_FREECADCMD" in refusal.value.advice
+    with pytest.raises(MissingPackage, match="CadQuery or build123d") as refusal:
+        solids.read_script(BRACKET.with_suffix(".py"), ReadOptions(), lambda share: None)
+    assert refusal.value.advice == "set CNCSTEPPER_CADQUERY to a Python that has CadQuery"
 
 
 def test_documents_that_unpack_to_too_much_or_are_none_are_refused(

@@ -122,6 +122,8 @@ def test_the_job_file_follows_the_drawing(tmp_path: Path) -> None:
         (RULES, HEAD.replace("margin_mm = 10", "size_mm = [50, 50]"), {}, "drawing-size", "120 by 80"),
         (RULES, HEAD.replace("margin_mm = 10", 'placement = "drawing"'), {}, "drawing-size", "beyond the stock"),
         ('[[rule]]\nlayer = "x"\nignore = true\n', HEAD, {}, "rule-none", "no rule"),
+        (RULES.replace("stepover_mm", "stepver_mm"), HEAD, {}, "bad-value", "shop.toml rule 'pocket': there is no key"),
+        (RULES.replace("tool = 2, ", ""), HEAD, {}, "bad-value", "shop.toml rule 'holes': the key tool is missing"),
         (RULES.replace("closed = true", "", 1).replace('layer = "pocket"', 'layer = "*"'), HEAD, {}, "rule-open",
          "open chains"),
     ],
@@ -144,6 +146,8 @@ def test_what_makes_no_job_is_refused(
         ("[[rule]]\nmarks_for = 'cut'\n", "no rule with a sheet_cut"),
         ("[[rule]]\ntitle = 'a'\nignore = true\n[[rule]]\ntitle = 'a'\nignore = true\n", "same title"),
         ("[[operation]]\ncycle = 'pocket'\n", "no key 'operation'"),
+        ("[[rule]]\nignore = true\nclosed = 'yes'\n", "closed: must be true or false (value 'yes')"),
+        ("[rule]\nignore = true\n", "rule: must be a list"),
         ("", "rule"),
     ],
 )
