@@ -9989,6 +9989,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The depth below the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17317,6 +17321,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a drilling tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a face of '{label}' does not run round the axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17430,6 +17438,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a lead or a cut goes through a part</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a left-hand {kind} tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18057,11 +18069,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a {kind} tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {kind} tool has no insert of ISO 1832</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {kind} tool {verb} {key}</source>
+            <source>a {kind} tool has no {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {kind} tool needs {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18113,15 +18133,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>above {0} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>above {bore:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above {floor:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above {least:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18409,23 +18433,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at least {0} deg</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>at least {0} deg: a nose angle of {1} deg or less</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>at least {0} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>at least {chord:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg: a nose angle of {nose:.4g} deg or less</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {least:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18465,10 +18489,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at most {0} deg: an entering angle of {1} deg or more</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>at most {largest_tool}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18482,6 +18502,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {rising:.4g} deg: an entering angle of {entering:.4g} deg or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18549,7 +18573,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back edge at {0} deg</source>
+            <source>back edge at {back:.4g} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18641,6 +18665,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>below {floor:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {length_mm:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18690,6 +18718,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19233,6 +19265,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>copy only the cells of the parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19669,6 +19705,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill a narrower hole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19685,7 +19725,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>drill {0} mm</source>
+            <source>drill {diameter:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19953,7 +19993,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>from z {0} mm by {1} mm</source>
+            <source>from z {z:.4g} mm by {back:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19961,7 +20001,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>front edge at {0} deg</source>
+            <source>front edge at {front:.4g} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20350,10 +20390,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>hard limits</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>has no</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21533,6 +21569,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make several tables of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make several texts of it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22209,11 +22249,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nose radius {0} mm</source>
+            <source>nose radius {nose:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nose {0} mm</source>
+            <source>nose {nose:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22629,7 +22669,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>parting blade {0} mm</source>
+            <source>parting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parting blade {width:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22861,7 +22905,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>radius {0} mm at z {1} mm</source>
+            <source>radius {radius:.4g} mm at z {z:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23358,6 +23402,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>set the machine's settings again, then home it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set the work zero anew and send it whole</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26693,6 +26741,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the text is too long for a table of parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the thickness of material {number}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26821,7 +26873,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool runs into the {obstacle}</source>
+            <source>the tool runs into the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool runs into the jaws</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool runs into the tailstock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27245,6 +27305,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>these are more parts than one table takes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>these diagonals belong to no rectangle of these sides</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27469,6 +27533,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27630,6 +27698,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>turn with at most {most:.4g} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29118,6 +29190,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{file}, {total} lines to send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{first:.4g} and {second:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

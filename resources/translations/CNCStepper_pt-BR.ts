@@ -9991,6 +9991,10 @@ altura</translation>
             <translation>O corte é simulado e verificado.</translation>
         </message>
         <message>
+            <source>The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment.</source>
+            <translation>O corte de um torno não é mostrado enquanto corre: Verificar e simular o mostra em qualquer momento.</translation>
+        </message>
+        <message>
             <source>The depth below the top of the stock</source>
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
@@ -16010,7 +16014,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>'{insert}' is no insert of a {kind} tool</source>
-            <translation>'{insert}' não é pastilha de uma ferramenta {kind}</translation>
+            <translation>'{insert}' não é pastilha de uma ferramenta de {kind}</translation>
         </message>
         <message>
             <source>'{key}' cannot be {value!r}</source>
@@ -17341,6 +17345,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma broca anda de lado dentro do material</translation>
         </message>
         <message>
+            <source>a drilling tool</source>
+            <translation>uma ferramenta de furar</translation>
+        </message>
+        <message>
             <source>a face of '{label}' does not run round the axis</source>
             <translation>uma face de '{label}' não contorna o eixo</translation>
         </message>
@@ -17455,6 +17463,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a lead or a cut goes through a part</source>
             <translation>uma entrada ou um corte atravessa uma peça</translation>
+        </message>
+        <message>
+            <source>a left-hand {kind} tool</source>
+            <translation>uma ferramenta de {kind} à esquerda</translation>
         </message>
         <message>
             <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
@@ -18081,12 +18093,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
-            <source>a {kind} tool has no insert of ISO 1832</source>
-            <translation>uma ferramenta {kind} não tem pastilha da ISO 1832</translation>
+            <source>a {kind} tool</source>
+            <translation>uma ferramenta de {kind}</translation>
         </message>
         <message>
-            <source>a {kind} tool {verb} {key}</source>
-            <translation>uma ferramenta {kind} {verb} {key}</translation>
+            <source>a {kind} tool has no insert of ISO 1832</source>
+            <translation>uma ferramenta de {kind} não tem pastilha da ISO 1832</translation>
+        </message>
+        <message>
+            <source>a {kind} tool has no {key}</source>
+            <translation>uma ferramenta de {kind} não tem {key}</translation>
+        </message>
+        <message>
+            <source>a {kind} tool needs {key}</source>
+            <translation>uma ferramenta de {kind} precisa de {key}</translation>
         </message>
         <message>
             <source>a {shape} does not cut from the edge</source>
@@ -18137,16 +18157,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acima de 0, abaixo de {diameter_mm:g} mm</translation>
         </message>
         <message>
-            <source>above {0} mm</source>
-            <translation>acima de {0} mm</translation>
-        </message>
-        <message>
             <source>above {bore:g} mm</source>
             <translation>acima de {bore:g} mm</translation>
         </message>
         <message>
+            <source>above {floor:.3f} mm</source>
+            <translation>acima de {floor:.3f} mm</translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation>acima de {highest_cut:g} mm</translation>
+        </message>
+        <message>
+            <source>above {least:g} mm</source>
+            <translation>acima de {least:g} mm</translation>
         </message>
         <message>
             <source>act = "switch" and line belong together</source>
@@ -18433,24 +18457,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
-            <source>at least {0} deg</source>
-            <translation>pelo menos {0} graus</translation>
-        </message>
-        <message>
-            <source>at least {0} deg: a nose angle of {1} deg or less</source>
-            <translation>no mínimo {0} graus: um ângulo de ponta de {1} graus ou menos</translation>
-        </message>
-        <message>
-            <source>at least {0} mm</source>
-            <translation>no mínimo {0} mm</translation>
-        </message>
-        <message>
             <source>at least {chord:.4f} mm</source>
             <translation>ao menos {chord:.4f} mm</translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
             <translation>ao menos {depth_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg</source>
+            <translation>no mínimo {falling:.4g} graus</translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg: a nose angle of {nose:.4g} deg or less</source>
+            <translation>no mínimo {falling:.4g} graus: um ângulo de ponta de {nose:.4g} graus ou menos</translation>
+        </message>
+        <message>
+            <source>at least {least:.4g} mm</source>
+            <translation>no mínimo {least:.4g} mm</translation>
         </message>
         <message>
             <source>at least {least:g} mm</source>
@@ -18489,10 +18513,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>no máximo {0} graus</translation>
         </message>
         <message>
-            <source>at most {0} deg: an entering angle of {1} deg or more</source>
-            <translation>no máximo {0} graus: um ângulo de posição de {1} graus ou mais</translation>
-        </message>
-        <message>
             <source>at most {largest_tool}</source>
             <translation>no máximo {largest_tool}</translation>
         </message>
@@ -18507,6 +18527,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
             <translation>no máximo {narrowest_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>at most {rising:.4g} deg: an entering angle of {entering:.4g} deg or more</source>
+            <translation>no máximo {rising:.4g} graus: um ângulo de posição de {entering:.4g} graus ou mais</translation>
         </message>
         <message>
             <source>at most {room_mm:.3f} mm</source>
@@ -18573,8 +18597,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>volta pelo corte</translation>
         </message>
         <message>
-            <source>back edge at {0} deg</source>
-            <translation>aresta de trás a {0} graus</translation>
+            <source>back edge at {back:.4g} deg</source>
+            <translation>aresta de trás a {back:.4g} graus</translation>
         </message>
         <message>
             <source>back to where the program paused: up, over, down</source>
@@ -18665,6 +18689,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>abaixo de {depth_mm:g} mm</translation>
         </message>
         <message>
+            <source>below {floor:.3f} mm</source>
+            <translation>abaixo de {floor:.3f} mm</translation>
+        </message>
+        <message>
             <source>below {length_mm:.3f} mm</source>
             <translation>abaixo de {length_mm:.3f} mm</translation>
         </message>
@@ -18715,6 +18743,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
             <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
+        </message>
+        <message>
+            <source>boring</source>
+            <translation>mandrilar</translation>
         </message>
         <message>
             <source>boring takes a tool for the inside</source>
@@ -19257,6 +19289,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>copie-o de novo e compare o tamanho</translation>
         </message>
         <message>
+            <source>copy only the cells of the parts</source>
+            <translation>copie só as células das peças</translation>
+        </message>
+        <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
             <translation>core_diameter_mm não pode exceder diameter_mm</translation>
         </message>
@@ -19693,6 +19729,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
         </message>
         <message>
+            <source>drill</source>
+            <translation>furar</translation>
+        </message>
+        <message>
             <source>drill a narrower hole</source>
             <translation>fure um furo mais estreito</translation>
         </message>
@@ -19709,8 +19749,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>fure mais largo</translation>
         </message>
         <message>
-            <source>drill {0} mm</source>
-            <translation>broca de {0} mm</translation>
+            <source>drill {diameter:g} mm</source>
+            <translation>broca de {diameter:g} mm</translation>
         </message>
         <message>
             <source>drill {more:.4g} mm deeper before it</source>
@@ -19977,16 +20017,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>daqui em diante os achados deste tipo não são listados</translation>
         </message>
         <message>
-            <source>from z {0} mm by {1} mm</source>
-            <translation>a partir de z {0} mm, por {1} mm</translation>
+            <source>from z {z:.4g} mm by {back:.4g} mm</source>
+            <translation>a partir de z {z:.4g} mm, por {back:.4g} mm</translation>
         </message>
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation>de {begin} na linha {first_line} a {end} na linha {last_line}</translation>
         </message>
         <message>
-            <source>front edge at {0} deg</source>
-            <translation>aresta da frente a {0} graus</translation>
+            <source>front edge at {front:.4g} deg</source>
+            <translation>aresta da frente a {front:.4g} graus</translation>
         </message>
         <message>
             <source>full circles became two arcs</source>
@@ -20375,10 +20415,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>hard limits</source>
             <translation>limites físicos</translation>
-        </message>
-        <message>
-            <source>has no</source>
-            <translation>não tem</translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -21557,6 +21593,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>faça vários trabalhos deste</translation>
         </message>
         <message>
+            <source>make several tables of them</source>
+            <translation>faça delas várias tabelas</translation>
+        </message>
+        <message>
             <source>make several texts of it</source>
             <translation>divida-o em vários textos</translation>
         </message>
@@ -22233,12 +22273,12 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>raio de ponta</translation>
         </message>
         <message>
-            <source>nose radius {0} mm</source>
-            <translation>raio de ponta {0} mm</translation>
+            <source>nose radius {nose:g} mm</source>
+            <translation>raio de ponta {nose:g} mm</translation>
         </message>
         <message>
-            <source>nose {0} mm</source>
-            <translation>ponta de {0} mm</translation>
+            <source>nose {nose:g} mm</source>
+            <translation>ponta de {nose:g} mm</translation>
         </message>
         <message>
             <source>not a DXF file: {why}</source>
@@ -22653,8 +22693,12 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a peça {number} passa da chapa em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
-            <source>parting blade {0} mm</source>
-            <translation>bedame de {0} mm</translation>
+            <source>parting</source>
+            <translation>sangrar</translation>
+        </message>
+        <message>
+            <source>parting blade {width:g} mm</source>
+            <translation>bedame de {width:g} mm</translation>
         </message>
         <message>
             <source>parting off takes a blade for the outside</source>
@@ -22885,8 +22929,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>raio no fim de 0 mm ou mais</translation>
         </message>
         <message>
-            <source>radius {0} mm at z {1} mm</source>
-            <translation>raio {0} mm em z {1} mm</translation>
+            <source>radius {radius:.4g} mm at z {z:.4g} mm</source>
+            <translation>raio {radius:.4g} mm em z {z:.4g} mm</translation>
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
@@ -23383,6 +23427,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>set the machine's settings again, then home it</source>
             <translation>configure a máquina de novo e referencie-a</translation>
+        </message>
+        <message>
+            <source>set the work zero anew and send it whole</source>
+            <translation>ajuste de novo o zero de trabalho e envie-o inteiro</translation>
         </message>
         <message>
             <source>set the zero again</source>
@@ -26717,6 +26765,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o texto é longo demais</translation>
         </message>
         <message>
+            <source>the text is too long for a table of parts</source>
+            <translation>o texto é longo demais para uma tabela de peças</translation>
+        </message>
+        <message>
             <source>the thickness of material {number}</source>
             <translation>a espessura do material {number}</translation>
         </message>
@@ -26845,8 +26897,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a correção da ferramenta não pode ser mudada</translation>
         </message>
         <message>
-            <source>the tool runs into the {obstacle}</source>
-            <translation>a ferramenta colide com: {obstacle}</translation>
+            <source>the tool runs into the chuck</source>
+            <translation>a ferramenta colide com a placa</translation>
+        </message>
+        <message>
+            <source>the tool runs into the jaws</source>
+            <translation>a ferramenta colide com as castanhas</translation>
+        </message>
+        <message>
+            <source>the tool runs into the tailstock</source>
+            <translation>a ferramenta colide com o contraponto</translation>
         </message>
         <message>
             <source>the tool table cannot be read again</source>
@@ -27269,6 +27329,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não havia nada para ler</translation>
         </message>
         <message>
+            <source>these are more parts than one table takes</source>
+            <translation>são mais peças do que uma tabela comporta</translation>
+        </message>
+        <message>
             <source>these diagonals belong to no rectangle of these sides</source>
             <translation>estas diagonais não são de um retângulo com estes lados</translation>
         </message>
@@ -27493,6 +27557,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>os de splines contam {spline_weight} vezes</translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation>roscar</translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation>roscas só podem ser cortadas no plano ZX</translation>
         </message>
@@ -27655,6 +27723,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>turn with at most {most:.4g} rpm</source>
             <translation>gire no máximo a {most:.4g} rpm</translation>
+        </message>
+        <message>
+            <source>turning</source>
+            <translation>tornear</translation>
         </message>
         <message>
             <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
@@ -29143,6 +29215,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{file}, {total} lines to send</source>
             <translation>{file}, {total} linhas a enviar</translation>
+        </message>
+        <message>
+            <source>{first:.4g} and {second:.4g} mm</source>
+            <translation>{first:.4g} e {second:.4g} mm</translation>
         </message>
         <message>
             <source>{first_file}: restart that one again; its restart's cuts count as cut</source>

@@ -72,10 +72,10 @@ def _require_tool(operation: TurningOperation, tool: TurningTool, setup: Turning
 def _require_turning_tool(operation: TurningOperation, tool: TurningTool, setup: TurningSetup) -> None:
     if tool.kind not in ("turning", "boring") or tool.hand == "left":
         what, limit = "profiles are turned towards the chuck with a right-hand insert", "a turning or boring tool"
-        raise CycleError("profile-tool", what, value=f"{tool.hand} {tool.kind}", limit=limit, advice="use another tool")
+        raise CycleError("profile-tool", what, value=tool.kind_words, limit=limit, advice="use another tool")
     if operation.cycle == "turn_bore" and not tool.is_inside:
         what, limit = "boring takes a tool for the inside", "a boring bar"
-        raise CycleError("bore-tool", what, value=tool.kind, limit=limit, advice="use a boring bar")
+        raise CycleError("bore-tool", what, value=tool.kind_words, limit=limit, advice="use a boring bar")
     if tool.is_inside and setup.bore_mm <= 0:
         what = "there is no hole into which the boring bar gets"
         limit = f"{tool.smallest_bore_mm:g} mm" if tool.smallest_bore_mm else "above 0 mm"
