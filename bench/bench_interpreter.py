@@ -19,6 +19,7 @@ from pathlib import Path
 
 BLOCKS = 1_000_000
 LARGE = 10_000_000
+GROWING = (1000, 10_000, 100_000, 1_000_000, LARGE)
 AGAIN = 3  # warm calls, of which the fastest counts
 
 
@@ -95,6 +96,21 @@ def compare(folder: Path) -> dict[str, float]:
     return ratios
 
 
+def print_growth(folder: Path) -> None:
+    """Print and draw how processor time grows with the blocks, with the start of a process for each verb."""
+    from growth import draw_growth  # its libraries would count in the memory of other processes
+
+    series: dict[str, list[float]] = {"cncstepper trace": [], "rs274 -g": []}
+    for count in GROWING:
+        path = folder / "growing.ngc"
+        write(path, lines(count))
+        words = ((sys.executable, "-m", "CNCStepper.cli", "trace", str(path)), ("rs274", "-g", str(path), "/dev/null"))
+        for name, command in zip(series, words, strict=True):
+            series[name].append(process_s(*command))
+            print(f"growth, {name}: {count} blocks: {series[name][-1]:.3f} s of processor", flush=True)
+    draw_growth("trace", "blocks of short lines, starts included", GROWING, series)
+
+
 def guarded() -> dict[str, float]:
     """Return the ratios that `make bench-guard` compares."""
     with tempfile.TemporaryDirectory() as name:
@@ -128,6 +144,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         compare(folder)
+        print_growth(folder)
         write(folder / "large.ngc", lines(LARGE))
         for how in ("stream", "whole", "cancelled"):
             subprocess.run([sys.executable, __file__, str(folder / "large.ngc"), how], check=True)

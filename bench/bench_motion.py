@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections import deque
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -35,6 +36,7 @@ MACHINE = load_machine("table-a")
 START = Start.at_zero()
 SHORT, LONG = 1_000_000, 10_000_000  # lines of the programs that are read
 QUEUED = 4000  # blocks of a deep look-ahead
+GROWING = (1000, 10_000, 100_000, 1_000_000, LONG)
 AGAIN = 3  # calls, of which the fastest counts
 WANTED_BLOCKS, WANTED_EVENTS = 5e6, 50e6  # a second
 
@@ -180,6 +182,25 @@ def peak_mb() -> float:
     return int(line.split()[1]) * 1024 / 1e6
 
 
+def print_growth() -> None:
+    """Print and draw how processor time grows with the blocks that are planned, and planned and stepped."""
+    from growth import draw_growth  # its libraries would count in the memory of other processes
+
+    grown = {"planned, spiral": spiral, "planned, any direction": wandering, "planned and stepped, spiral": spiral}
+    series: dict[str, list[float]] = {name: [] for name in grown}
+    for count in GROWING:
+        for name, points in grown.items():
+            path = table_of(points(count), 600)
+            begun = time.process_time()
+            if "stepped" in name:
+                count_events(pulse_stream(path, MACHINE))
+            else:
+                deque(Run(path, MACHINE).segments(), maxlen=0)
+            series[name].append(time.process_time() - begun)
+            print(f"growth, {name}: {count} blocks: {series[name][-1]:.4f} s of processor", flush=True)
+    draw_growth("motion", "short lines", GROWING, series)
+
+
 def guarded() -> dict[str, float]:
     """Return the ratios that `make bench-guard` compares."""
     return {
@@ -195,6 +216,7 @@ def main() -> None:
     plan("spiral of short lines", spiral(SHORT), 600)
     plan("short lines in any direction", wandering(SHORT // 5), 1500)
     guarded()
+    print_growth()
     with tempfile.TemporaryDirectory() as name:
         for count in (SHORT, LONG):
             file = Path(name) / f"{count}.ngc"

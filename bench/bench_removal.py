@@ -124,6 +124,20 @@ def print_timeline(name: str, toolpath: Toolpath, ends_s: np.ndarray, tools: Too
     print(f"(processor {cpu_median:.1f}), worst {worst:.1f} ms ({cpu_worst:.1f})", flush=True)
 
 
+def print_timeline_growth(tool: Tool) -> None:
+    """Print and draw how soon a timeline is ready, and how long an answer takes, over the number of moves."""
+    series: dict[str, list[float]] = {"ready": [], "an answer, median": []}
+    for count in GROWING:
+        toolpath, ends_s = tables(spiral(count, 300)), np.arange(count + 1) * 0.01
+        spent = time.process_time()
+        timeline = Timeline(toolpath, ends_s, tool, Stock((300, 300, 6)), CELL_MM)
+        series["ready"].append(time.process_time() - spent)
+        series["an answer, median"].append(answers_ms(timeline)[2] / 1000)
+        told = ", ".join(f"{name} {spent_s[-1]:.4f} s" for name, spent_s in series.items())
+        print(f"timeline: {count} level moves, {tool.shape}: processor {told}", flush=True)
+    draw_growth("timeline", "short level moves of a flat tool, 0.1 mm cells", GROWING, series)
+
+
 def print_engagement(tool: Tool) -> None:
     """Print how long the map of what the tool meets takes."""
     toolpath, stock = tables(spiral(100_000, 100)), Stock((100, 100, 6))
@@ -175,6 +189,7 @@ def main() -> None:
     if shutil.which("freecadcmd"):
         guarded()
     print_growth(tools[0])
+    print_timeline_growth(tools[0])
     level = spiral(1_000_000, 300)
     for tool in tools:
         for name, million in (("level", level), ("every move a ramp", hilly(level))):

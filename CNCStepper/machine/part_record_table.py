@@ -20,13 +20,13 @@ from CNCStepper.input_file import read_input
 from CNCStepper.machine.axis_tests import check_reading
 from CNCStepper.machine.libraries.table_draft import number_of
 from CNCStepper.machine.part_records import DIAMETERS, PartRecord, part_record
-from CNCStepper.quantities import MOST_ITEMS, Bounds
+from CNCStepper.quantities import Bounds
 
 MEASURED = ("height_mm", *(f"d{number}_mm" for number in range(1, DIAMETERS + 1)))
 NOMINAL = ("nominal_height_mm", "nominal_diameter_mm")
 FIGURES = ("mean_mm", "deviation_mm", "diameter_ratio", "height_ratio")
 DECIMALS = {"mean_mm": 4, "deviation_mm": 4, "diameter_ratio": 5, "height_ratio": 5}
-MOST_PARTS = MOST_ITEMS["notes"]
+MOST_PARTS = 1_000  # the window judges all at each key
 MOST_BYTES = 1_000_000
 NOMINAL_MM = Bounds("length")
 Rows = list[list[str]]
@@ -76,8 +76,22 @@ def figures_of(record: PartRecord, height_mm: float, diameter_mm: float) -> dict
     return dict(zip(FIGURES, (diameters.mean_mm, diameters.deviation_mm, *ratios), strict=True))
 
 
+def require_few(parts: int) -> None:
+    """Raise JobError for more parts than a table takes."""
+    if parts > MOST_PARTS:
+        what, advice = "these are more parts than one table takes", "make several tables of them"
+        raise JobError("part-records-many", what, value=f"{parts}", limit=f"{MOST_PARTS}", advice=advice)
+
+
 def rows_of_text(text: str) -> Rows:
-    """Return the cells of a pasted text; lines without any number, such as headings, are left out."""
+    """Return the cells of a pasted text; lines without any number, such as headings, are left out.
+
+    Raises JobError for a text that is longer than any table.
+    """
+    if len(text) > MOST_BYTES:
+        what, value = "the text is too long for a table of parts", f"{len(text) / 1e6:.3g} MB"
+        limit = f"{MOST_BYTES / 1e6:.3g} MB"
+        raise JobError("part-records-many", what, value=value, limit=limit, advice="copy only the cells of the parts")
     rows = [_cells(line) for line in text.splitlines()]
     return [row for row in rows if any(_is_number(cell) for cell in row)]
 
@@ -118,12 +132,13 @@ def read_csv(path: Path) -> tuple[Rows, tuple[float, float]]:
     text = read_input(path, MOST_BYTES).decode("utf-8-sig", errors="replace")
     rows = list(csv.DictReader(text.splitlines()))
     lacks = [key for key in (*MEASURED, *NOMINAL) if not rows or rows[0].get(key) is None]
-    if lacks or len(rows) > MOST_PARTS:
+    if lacks:
         raise JobError(
             "part-records-file",
             Text("'{path}' is no file of part records", path=path.name),
             advice=Text("its first line has to name the columns {keys}", keys=", ".join((*MEASURED, *NOMINAL))),
         )
+    require_few(len(rows))
     nominal_mm = (_nominal(rows[0], key, path) for key in NOMINAL)
     return [[row[key] or "" for key in MEASURED] for row in rows], (next(nominal_mm), next(nominal_mm))
 

@@ -25,6 +25,10 @@ from CNCStepper.tolerances import TOUCHING_PARTS_MM
 
 LEAST_AREA_MM2 = 1e-6
 MOST_MM = 1e6
+HOLES = (  # a word of what shapely says of a polygon, and what we say
+    ("outside", "a hole of {name} lies beyond its outline"),
+    ("nested", "a hole of {name} lies in another one"),
+)
 
 
 def polygon_from(
@@ -35,12 +39,19 @@ def polygon_from(
         _require_ring(name, ring)
     polygon = Polygon(points, holes)
     if not polygon.is_valid:
-        why = shapely.is_valid_reason(polygon)
-        raise _refusal("nest-crossing", Text("the outline of {name} crosses itself", name=name), why, "draw it anew")
+        raise _crossing(name, shapely.is_valid_reason(polygon))
     if polygon.area < LEAST_AREA_MM2:
         what = Text("the outline of {name} has no area", name=name)
         raise _refusal("nest-area", what, f"{polygon.area:g} mm2", "correct its corners")
     return shapely.remove_repeated_points(polygon)
+
+
+def _crossing(name: str, why: str) -> JobError:
+    """Return the refusal of a polygon of which shapely says why, as in "Self-intersection[5 5]"."""
+    kind, _, place = why.rstrip("]").partition("[")
+    what = next((told for word, told in HOLES if word in kind), "the outline of {name} crosses itself")
+    value = "X{} Y{}".format(*place.split()) if place else ""
+    return _refusal("nest-crossing", Text(what, name=name), value, "draw it anew")
 
 
 def _require_ring(name: str, ring: Sequence[Sequence[float]]) -> None:

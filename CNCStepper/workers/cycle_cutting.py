@@ -123,6 +123,8 @@ class Answers:
         from CNCStepper.job.files.program_sheet import write_program_sheet
 
         tell({"stage": "write"})
+        if "turned_program" in part["of"]:
+            return self._turned_sheet(part)
         machine = machine_from(part["of"]["machine"])
         job = job_from(part["of"]["program"], part["of"]["machine"])
         times_s = [self._cut_once(cycle, job.setup(cycle)).time_s(machine) for cycle in job.operation]
@@ -163,6 +165,12 @@ class Answers:
         job, machine = job_from(part["turned_program"])
         texts = program_texts(job, machine, part["title"])
         return {"texts": texts, "paths": [path_text(job, machine, text, part["title"]) for _, text in texts]}
+
+    def _turned_sheet(self, part: dict[str, Any]) -> dict[str, Any]:
+        from CNCStepper.job.files.program_sheet import write_turned_sheet
+        from CNCStepper.job.turning.turning_transfer import job_from
+
+        return {"written": write_turned_sheet(part["sheet"], *job_from(part["of"]["turned_program"]))}
 
     def _cut_once(self, cycle: Any, setup: Any) -> Any:
         from CNCStepper.job.cycle_cache import CycleCache

@@ -9989,6 +9989,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The depth below the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13322,6 +13326,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{value}' is not a number from 0 on with a decimal point, such as 1.5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{value}' is not a number with a decimal point, such as 1.5</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16377,6 +16385,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Count</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cut off at the right angle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16449,7 +16461,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>EXISTS asks for a parameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Each</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16789,6 +16809,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Materials of the user's own, and shipped ones that the user has changed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16870,6 +16894,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Parts and signs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Price</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17001,6 +17029,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Thickness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Thickness of the flanges</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17010,6 +17042,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Times New Roman</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Total</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17285,6 +17321,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a drilling tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a face of '{label}' does not run round the axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17334,6 +17374,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a hole lies in no outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies beyond its outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies in another one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17394,6 +17442,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a left-hand insert comes from the end of the profile, which lies below the bar's surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a left-hand {kind} tool</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18029,11 +18081,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a {kind} tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {kind} tool has no insert of ISO 1832</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a {kind} tool {verb} {key}</source>
+            <source>a {kind} tool has no {key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a {kind} tool needs {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18085,15 +18145,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>above {0} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>above {bore:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above {floor:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>above {least:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18309,6 +18373,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>another process writes an order into this folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>another row has {key} {value} already</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18377,23 +18445,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at least {0} deg</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>at least {0} deg: a nose angle of {1} deg or less</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>at least {0} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>at least {chord:.4f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg: a nose angle of {nose:.4g} deg or less</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at least {least:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18433,10 +18501,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at most {0} deg: an entering angle of {1} deg or more</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>at most {largest_tool}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18450,6 +18514,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at most {rising:.4g} deg: an entering angle of {entering:.4g} deg or more</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18517,7 +18585,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>back edge at {0} deg</source>
+            <source>back edge at {back:.4g} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18609,6 +18677,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>below {floor:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>below {length_mm:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18658,6 +18730,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19201,6 +19277,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>copy only the cells of the parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19637,6 +19717,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drill</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drill a narrower hole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19653,7 +19737,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>drill {0} mm</source>
+            <source>drill {diameter:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19921,7 +20005,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>from z {0} mm by {1} mm</source>
+            <source>from z {z:.4g} mm by {back:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19929,7 +20013,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>front edge at {0} deg</source>
+            <source>front edge at {front:.4g} deg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20318,10 +20402,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>hard limits</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>has no</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21225,10 +21305,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>line {0}: {1} of {2} not placed: {3}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>line {file_line} is run from its begin</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21242,6 +21318,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>line {first} to {file_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {line}: {count} of {name} not placed: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {line}: {name}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21498,6 +21582,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>make several jobs of this one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>make several tables of them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22133,6 +22221,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no sum of {currencies}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22173,11 +22265,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nose radius {0} mm</source>
+            <source>nose radius {nose:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nose {0} mm</source>
+            <source>nose {nose:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22585,11 +22677,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>part {number}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>parting blade {0} mm</source>
+            <source>parting</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>parting blade {width:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22821,7 +22921,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>radius {0} mm at z {1} mm</source>
+            <source>radius {radius:.4g} mm at z {z:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23321,6 +23421,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>set the work zero anew and send it whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>set the zero again</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23394,6 +23498,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>sheet {0} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sheet {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23549,6 +23657,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>start it again, and run the same command: what is done is not done again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23562,6 +23674,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>start nearer to the part, then unlock with $X</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>start one for each core: dask worker ADDRESS</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24190,6 +24306,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the connection service does not start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection to the scheduler is lost</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26321,6 +26441,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the scheduler has no workers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26633,6 +26757,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the text is too long for a table of parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the thickness of material {number}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26761,7 +26889,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the tool runs into the {obstacle}</source>
+            <source>the tool runs into the chuck</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool runs into the jaws</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool runs into the tailstock</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27185,6 +27321,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>these are more parts than one table takes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>these diagonals belong to no rectangle of these sides</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27409,6 +27549,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27570,6 +27714,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>turn with at most {most:.4g} rpm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28025,6 +28173,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>wait until it is done, or name another folder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28413,7 +28565,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write as the first line: {columns}</source>
+            <source>write as the first line, with commas or semicolons: {columns}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28721,10 +28873,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{0} (not offered)</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>{0} MB, {1} files</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28774,10 +28922,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{0} open edges</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29062,6 +29206,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{file}, {total} lines to send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{first:.4g} and {second:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29441,6 +29589,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} (not offered)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} and {other} may not share a line: they use the same word</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29666,6 +29818,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{package} is not installed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

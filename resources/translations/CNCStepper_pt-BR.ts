@@ -9991,6 +9991,10 @@ altura</translation>
             <translation>O corte é simulado e verificado.</translation>
         </message>
         <message>
+            <source>The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment.</source>
+            <translation>O corte de um torno não é mostrado enquanto corre: Verificar e simular o mostra em qualquer momento.</translation>
+        </message>
+        <message>
             <source>The depth below the top of the stock</source>
             <translation>A profundidade abaixo do topo do bloco</translation>
         </message>
@@ -13338,6 +13342,10 @@ altura</translation>
             <translation>'{value}' não é um número acima de {least:g} com ponto decimal, como 1.5</translation>
         </message>
         <message>
+            <source>'{value}' is not a number from 0 on with a decimal point, such as 1.5</source>
+            <translation>'{value}' não é um número a partir de 0 com ponto decimal, como 1.5</translation>
+        </message>
+        <message>
             <source>'{value}' is not a number with a decimal point, such as 1.5</source>
             <translation>'{value}' não é um número com ponto decimal, como 1.5</translation>
         </message>
@@ -16006,7 +16014,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>'{insert}' is no insert of a {kind} tool</source>
-            <translation>'{insert}' não é pastilha de uma ferramenta {kind}</translation>
+            <translation>'{insert}' não é pastilha de uma ferramenta de {kind}</translation>
         </message>
         <message>
             <source>'{key}' cannot be {value!r}</source>
@@ -16401,6 +16409,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>Raio de canto</translation>
         </message>
         <message>
+            <source>Count</source>
+            <translation>Quantidade</translation>
+        </message>
+        <message>
             <source>Cut off at the right angle</source>
             <translation>Corte no ângulo reto</translation>
         </message>
@@ -16473,8 +16485,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>Faca de arrasto</translation>
         </message>
         <message>
+            <source>Drawing</source>
+            <translation>Desenho</translation>
+        </message>
+        <message>
             <source>EXISTS asks for a parameter</source>
             <translation>EXISTS pergunta por um parâmetro</translation>
+        </message>
+        <message>
+            <source>Each</source>
+            <translation>Unitário</translation>
         </message>
         <message>
             <source>Ends of the legs</source>
@@ -16813,6 +16833,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o Marlin leria G91 ou G90: omita-a</translation>
         </message>
         <message>
+            <source>Material</source>
+            <translation>Material</translation>
+        </message>
+        <message>
             <source>Materials of the user's own, and shipped ones that the user has changed</source>
             <translation>Materiais próprios do usuário, e os fornecidos que ele mudou</translation>
         </message>
@@ -16895,6 +16919,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Parts and signs</source>
             <translation>Peças e placas</translation>
+        </message>
+        <message>
+            <source>Price</source>
+            <translation>Preço</translation>
         </message>
         <message>
             <source>Q asks for too many pecks</source>
@@ -17025,6 +17053,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>A seção de uma viga, em torno do zero.</translation>
         </message>
         <message>
+            <source>Thickness</source>
+            <translation>Espessura</translation>
+        </message>
+        <message>
             <source>Thickness of the flanges</source>
             <translation>Espessura das mesas</translation>
         </message>
@@ -17035,6 +17067,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Times New Roman</source>
             <translation>Times New Roman</translation>
+        </message>
+        <message>
+            <source>Total</source>
+            <translation>Total</translation>
         </message>
         <message>
             <source>Trial {0} pulses/s late mean {1} us worst {2} us</source>
@@ -17309,6 +17345,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma broca anda de lado dentro do material</translation>
         </message>
         <message>
+            <source>a drilling tool</source>
+            <translation>uma ferramenta de furar</translation>
+        </message>
+        <message>
             <source>a face of '{label}' does not run round the axis</source>
             <translation>uma face de '{label}' não contorna o eixo</translation>
         </message>
@@ -17359,6 +17399,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a hole lies in no outline</source>
             <translation>um furo não fica dentro de nenhum contorno</translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies beyond its outline</source>
+            <translation>um furo de {name} fica fora do seu contorno</translation>
+        </message>
+        <message>
+            <source>a hole of {name} lies in another one</source>
+            <translation>um furo de {name} fica dentro de outro</translation>
         </message>
         <message>
             <source>a hole would reach beyond its outline</source>
@@ -17419,6 +17467,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a left-hand insert comes from the end of the profile, which lies below the bar's surface</source>
             <translation>uma pastilha esquerda vem do fim do perfil, que está abaixo da superfície da barra</translation>
+        </message>
+        <message>
+            <source>a left-hand {kind} tool</source>
+            <translation>uma ferramenta de {kind} à esquerda</translation>
         </message>
         <message>
             <source>a limit or door is on a pin with a number, without port: on the machine's own</source>
@@ -18053,12 +18105,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
-            <source>a {kind} tool has no insert of ISO 1832</source>
-            <translation>uma ferramenta {kind} não tem pastilha da ISO 1832</translation>
+            <source>a {kind} tool</source>
+            <translation>uma ferramenta de {kind}</translation>
         </message>
         <message>
-            <source>a {kind} tool {verb} {key}</source>
-            <translation>uma ferramenta {kind} {verb} {key}</translation>
+            <source>a {kind} tool has no insert of ISO 1832</source>
+            <translation>uma ferramenta de {kind} não tem pastilha da ISO 1832</translation>
+        </message>
+        <message>
+            <source>a {kind} tool has no {key}</source>
+            <translation>uma ferramenta de {kind} não tem {key}</translation>
+        </message>
+        <message>
+            <source>a {kind} tool needs {key}</source>
+            <translation>uma ferramenta de {kind} precisa de {key}</translation>
         </message>
         <message>
             <source>a {shape} does not cut from the edge</source>
@@ -18109,16 +18169,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acima de 0, abaixo de {diameter_mm:g} mm</translation>
         </message>
         <message>
-            <source>above {0} mm</source>
-            <translation>acima de {0} mm</translation>
-        </message>
-        <message>
             <source>above {bore:g} mm</source>
             <translation>acima de {bore:g} mm</translation>
         </message>
         <message>
+            <source>above {floor:.3f} mm</source>
+            <translation>acima de {floor:.3f} mm</translation>
+        </message>
+        <message>
             <source>above {highest_cut:g} mm</source>
             <translation>acima de {highest_cut:g} mm</translation>
+        </message>
+        <message>
+            <source>above {least:g} mm</source>
+            <translation>acima de {least:g} mm</translation>
         </message>
         <message>
             <source>act = "switch" and line belong together</source>
@@ -18333,6 +18397,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>outra conexão está usando o controlador</translation>
         </message>
         <message>
+            <source>another process writes an order into this folder</source>
+            <translation>outro processo grava um pedido nesta pasta</translation>
+        </message>
+        <message>
             <source>another row has {key} {value} already</source>
             <translation>outra linha já tem {key} {value}</translation>
         </message>
@@ -18401,24 +18469,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>no mínimo a largura do corte de {kerf_mm:g} mm</translation>
         </message>
         <message>
-            <source>at least {0} deg</source>
-            <translation>pelo menos {0} graus</translation>
-        </message>
-        <message>
-            <source>at least {0} deg: a nose angle of {1} deg or less</source>
-            <translation>no mínimo {0} graus: um ângulo de ponta de {1} graus ou menos</translation>
-        </message>
-        <message>
-            <source>at least {0} mm</source>
-            <translation>no mínimo {0} mm</translation>
-        </message>
-        <message>
             <source>at least {chord:.4f} mm</source>
             <translation>ao menos {chord:.4f} mm</translation>
         </message>
         <message>
             <source>at least {depth_mm:.3g} mm</source>
             <translation>ao menos {depth_mm:.3g} mm</translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg</source>
+            <translation>no mínimo {falling:.4g} graus</translation>
+        </message>
+        <message>
+            <source>at least {falling:.4g} deg: a nose angle of {nose:.4g} deg or less</source>
+            <translation>no mínimo {falling:.4g} graus: um ângulo de ponta de {nose:.4g} graus ou menos</translation>
+        </message>
+        <message>
+            <source>at least {least:.4g} mm</source>
+            <translation>no mínimo {least:.4g} mm</translation>
         </message>
         <message>
             <source>at least {least:g} mm</source>
@@ -18457,10 +18525,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>no máximo {0} graus</translation>
         </message>
         <message>
-            <source>at most {0} deg: an entering angle of {1} deg or more</source>
-            <translation>no máximo {0} graus: um ângulo de posição de {1} graus ou mais</translation>
-        </message>
-        <message>
             <source>at most {largest_tool}</source>
             <translation>no máximo {largest_tool}</translation>
         </message>
@@ -18475,6 +18539,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>at most {narrowest_mm:.3f} mm</source>
             <translation>no máximo {narrowest_mm:.3f} mm</translation>
+        </message>
+        <message>
+            <source>at most {rising:.4g} deg: an entering angle of {entering:.4g} deg or more</source>
+            <translation>no máximo {rising:.4g} graus: um ângulo de posição de {entering:.4g} graus ou mais</translation>
         </message>
         <message>
             <source>at most {room_mm:.3f} mm</source>
@@ -18541,8 +18609,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>volta pelo corte</translation>
         </message>
         <message>
-            <source>back edge at {0} deg</source>
-            <translation>aresta de trás a {0} graus</translation>
+            <source>back edge at {back:.4g} deg</source>
+            <translation>aresta de trás a {back:.4g} graus</translation>
         </message>
         <message>
             <source>back to where the program paused: up, over, down</source>
@@ -18633,6 +18701,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>abaixo de {depth_mm:g} mm</translation>
         </message>
         <message>
+            <source>below {floor:.3f} mm</source>
+            <translation>abaixo de {floor:.3f} mm</translation>
+        </message>
+        <message>
             <source>below {length_mm:.3f} mm</source>
             <translation>abaixo de {length_mm:.3f} mm</translation>
         </message>
@@ -18683,6 +18755,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
             <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
+        </message>
+        <message>
+            <source>boring</source>
+            <translation>mandrilar</translation>
         </message>
         <message>
             <source>boring takes a tool for the inside</source>
@@ -19225,6 +19301,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>copie-o de novo e compare o tamanho</translation>
         </message>
         <message>
+            <source>copy only the cells of the parts</source>
+            <translation>copie só as células das peças</translation>
+        </message>
+        <message>
             <source>core_diameter_mm must not exceed diameter_mm</source>
             <translation>core_diameter_mm não pode exceder diameter_mm</translation>
         </message>
@@ -19661,6 +19741,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desenhos com o sufixo '{suffix}' não podem ser escritos</translation>
         </message>
         <message>
+            <source>drill</source>
+            <translation>furar</translation>
+        </message>
+        <message>
             <source>drill a narrower hole</source>
             <translation>fure um furo mais estreito</translation>
         </message>
@@ -19677,8 +19761,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>fure mais largo</translation>
         </message>
         <message>
-            <source>drill {0} mm</source>
-            <translation>broca de {0} mm</translation>
+            <source>drill {diameter:g} mm</source>
+            <translation>broca de {diameter:g} mm</translation>
         </message>
         <message>
             <source>drill {more:.4g} mm deeper before it</source>
@@ -19945,16 +20029,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>daqui em diante os achados deste tipo não são listados</translation>
         </message>
         <message>
-            <source>from z {0} mm by {1} mm</source>
-            <translation>a partir de z {0} mm, por {1} mm</translation>
+            <source>from z {z:.4g} mm by {back:.4g} mm</source>
+            <translation>a partir de z {z:.4g} mm, por {back:.4g} mm</translation>
         </message>
         <message>
             <source>from {begin} at line {first_line}, to {end} at line {last_line}</source>
             <translation>de {begin} na linha {first_line} a {end} na linha {last_line}</translation>
         </message>
         <message>
-            <source>front edge at {0} deg</source>
-            <translation>aresta da frente a {0} graus</translation>
+            <source>front edge at {front:.4g} deg</source>
+            <translation>aresta da frente a {front:.4g} graus</translation>
         </message>
         <message>
             <source>full circles became two arcs</source>
@@ -20343,10 +20427,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>hard limits</source>
             <translation>limites físicos</translation>
-        </message>
-        <message>
-            <source>has no</source>
-            <translation>não tem</translation>
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
@@ -21249,10 +21329,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>linha {0}, volta</translation>
         </message>
         <message>
-            <source>line {0}: {1} of {2} not placed: {3}</source>
-            <translation>linha {0}: {1} de {2} sem lugar: {3}</translation>
-        </message>
-        <message>
             <source>line {file_line} is run from its begin</source>
             <translation>a linha {file_line} é executada desde o início</translation>
         </message>
@@ -21267,6 +21343,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>line {first} to {file_line}</source>
             <translation>linha {first} a {file_line}</translation>
+        </message>
+        <message>
+            <source>line {line}: {count} of {name} not placed: {why}</source>
+            <translation>linha {line}: {count} de {name} sem lugar: {why}</translation>
+        </message>
+        <message>
+            <source>line {line}: {name}: {error}</source>
+            <translation>linha {line}: {name}: {error}</translation>
         </message>
         <message>
             <source>line {own} here is its line {file_line}</source>
@@ -21523,6 +21607,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>make several jobs of this one</source>
             <translation>faça vários trabalhos deste</translation>
+        </message>
+        <message>
+            <source>make several tables of them</source>
+            <translation>faça delas várias tabelas</translation>
         </message>
         <message>
             <source>make several texts of it</source>
@@ -22157,6 +22245,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhuma fenda reta chega ao furo em X{x:.3f} Y{y:.3f} sem atravessar os outros furos da peça</translation>
         </message>
         <message>
+            <source>no sum of {currencies}</source>
+            <translation>sem soma de {currencies}</translation>
+        </message>
+        <message>
             <source>no tab fits on any contour</source>
             <translation>nenhuma ponte cabe em nenhum contorno</translation>
         </message>
@@ -22197,12 +22289,12 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>raio de ponta</translation>
         </message>
         <message>
-            <source>nose radius {0} mm</source>
-            <translation>raio de ponta {0} mm</translation>
+            <source>nose radius {nose:g} mm</source>
+            <translation>raio de ponta {nose:g} mm</translation>
         </message>
         <message>
-            <source>nose {0} mm</source>
-            <translation>ponta de {0} mm</translation>
+            <source>nose {nose:g} mm</source>
+            <translation>ponta de {nose:g} mm</translation>
         </message>
         <message>
             <source>not a DXF file: {why}</source>
@@ -22609,12 +22701,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>parte da forma desenhada fica fora do bloco</translation>
         </message>
         <message>
+            <source>part {number}</source>
+            <translation>peça {number}</translation>
+        </message>
+        <message>
             <source>part {number} goes beyond the sheet at X{x:.3f} Y{y:.3f}</source>
             <translation>a peça {number} passa da chapa em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
-            <source>parting blade {0} mm</source>
-            <translation>bedame de {0} mm</translation>
+            <source>parting</source>
+            <translation>sangrar</translation>
+        </message>
+        <message>
+            <source>parting blade {width:g} mm</source>
+            <translation>bedame de {width:g} mm</translation>
         </message>
         <message>
             <source>parting off takes a blade for the outside</source>
@@ -22845,8 +22945,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>raio {0} mm</translation>
         </message>
         <message>
-            <source>radius {0} mm at z {1} mm</source>
-            <translation>raio {0} mm em z {1} mm</translation>
+            <source>radius {radius:.4g} mm at z {z:.4g} mm</source>
+            <translation>raio {radius:.4g} mm em z {z:.4g} mm</translation>
         </message>
         <message>
             <source>raise F, or turn the spindle slower</source>
@@ -23345,6 +23445,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>configure a máquina de novo e referencie-a</translation>
         </message>
         <message>
+            <source>set the work zero anew and send it whole</source>
+            <translation>ajuste de novo o zero de trabalho e envie-o inteiro</translation>
+        </message>
+        <message>
             <source>set the zero again</source>
             <translation>defina o zero de novo</translation>
         </message>
@@ -23419,6 +23523,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>sheet {0} mm</source>
             <translation>chapa {0} mm</translation>
+        </message>
+        <message>
+            <source>sheet {number}</source>
+            <translation>chapa {number}</translation>
         </message>
         <message>
             <source>sheet {number}: the solid is thinner there than the sheet and fills {share:.0f} % of it</source>
@@ -23573,6 +23681,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>quadrado, círculo e esquadro precisam dos eixos X e Y</translation>
         </message>
         <message>
+            <source>start it again, and run the same command: what is done is not done again</source>
+            <translation>inicie-o de novo e execute o mesmo comando: o que está feito não é refeito</translation>
+        </message>
+        <message>
             <source>start it with cncstepper send</source>
             <translation>inicie-o com cncstepper send</translation>
         </message>
@@ -23587,6 +23699,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>start nearer to the part, then unlock with $X</source>
             <translation>comece mais perto da peça e destrave com $X</translation>
+        </message>
+        <message>
+            <source>start one for each core: dask worker ADDRESS</source>
+            <translation>inicie um para cada núcleo: dask worker ADDRESS</translation>
         </message>
         <message>
             <source>start one: dask scheduler --host 127.0.0.1, and dask worker for each core</source>
@@ -24215,6 +24331,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the connection service does not start</source>
             <translation>o processo da mesa de controle não inicia</translation>
+        </message>
+        <message>
+            <source>the connection to the scheduler is lost</source>
+            <translation>a conexão com o escalonador foi perdida</translation>
         </message>
         <message>
             <source>the connection {session_file} is open, but its process does not answer</source>
@@ -26345,6 +26465,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a porta de segurança foi aberta durante o referenciamento</translation>
         </message>
         <message>
+            <source>the scheduler has no workers</source>
+            <translation>o escalonador não tem processos de trabalho</translation>
+        </message>
+        <message>
             <source>the scribe is tool {number} of LinuxCNC's table, whose X and Y are its place beside the torch</source>
             <translation>o riscador é a ferramenta {number} da tabela do LinuxCNC, cujos X e Y são o seu lugar ao lado da tocha</translation>
         </message>
@@ -26657,6 +26781,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o texto é longo demais</translation>
         </message>
         <message>
+            <source>the text is too long for a table of parts</source>
+            <translation>o texto é longo demais para uma tabela de peças</translation>
+        </message>
+        <message>
             <source>the thickness of material {number}</source>
             <translation>a espessura do material {number}</translation>
         </message>
@@ -26785,8 +26913,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a correção da ferramenta não pode ser mudada</translation>
         </message>
         <message>
-            <source>the tool runs into the {obstacle}</source>
-            <translation>a ferramenta colide com: {obstacle}</translation>
+            <source>the tool runs into the chuck</source>
+            <translation>a ferramenta colide com a placa</translation>
+        </message>
+        <message>
+            <source>the tool runs into the jaws</source>
+            <translation>a ferramenta colide com as castanhas</translation>
+        </message>
+        <message>
+            <source>the tool runs into the tailstock</source>
+            <translation>a ferramenta colide com o contraponto</translation>
         </message>
         <message>
             <source>the tool table cannot be read again</source>
@@ -27209,6 +27345,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não havia nada para ler</translation>
         </message>
         <message>
+            <source>these are more parts than one table takes</source>
+            <translation>são mais peças do que uma tabela comporta</translation>
+        </message>
+        <message>
             <source>these diagonals belong to no rectangle of these sides</source>
             <translation>estas diagonais não são de um retângulo com estes lados</translation>
         </message>
@@ -27433,6 +27573,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>os de splines contam {spline_weight} vezes</translation>
         </message>
         <message>
+            <source>threading</source>
+            <translation>roscar</translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation>roscas só podem ser cortadas no plano ZX</translation>
         </message>
@@ -27595,6 +27739,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>turn with at most {most:.4g} rpm</source>
             <translation>gire no máximo a {most:.4g} rpm</translation>
+        </message>
+        <message>
+            <source>turning</source>
+            <translation>tornear</translation>
         </message>
         <message>
             <source>turning (G7, G95, G96) is in force here: no entry is written for a lathe</source>
@@ -28049,6 +28197,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>espere até que pare, ou retenha-a</translation>
         </message>
         <message>
+            <source>wait until it is done, or name another folder</source>
+            <translation>espere até que termine, ou indique outra pasta</translation>
+        </message>
+        <message>
             <source>wait until it is homed</source>
             <translation>espere até que esteja referenciada</translation>
         </message>
@@ -28437,8 +28589,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva uma pastilha (CNMG120408, 16ER1.5ISO), boring:CCMT060204, parting:3 ou drill:10; 2=drill:10 para a ferramenta 2</translation>
         </message>
         <message>
-            <source>write as the first line: {columns}</source>
-            <translation>escreva como primeira linha: {columns}</translation>
+            <source>write as the first line, with commas or semicolons: {columns}</source>
+            <translation>escreva como primeira linha, com vírgulas ou pontos e vírgulas: {columns}</translation>
         </message>
         <message>
             <source>write both, as in: NAME = mild-steel 3 mm 45A</source>
@@ -28745,10 +28897,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>zero de {axes} definido em {system}</translation>
         </message>
         <message>
-            <source>{0} (not offered)</source>
-            <translation>{0} (sem oferta)</translation>
-        </message>
-        <message>
             <source>{0} MB, {1} files</source>
             <translation>{0} MB, {1} arquivos</translation>
         </message>
@@ -28799,10 +28947,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{0} open edges</source>
             <translation>{0} arestas abertas</translation>
-        </message>
-        <message>
-            <source>{0} parts on {1} sheets, {2} m cut, {3} pierces, {4} hours of the machine</source>
-            <translation>{0} peças em {1} chapas, {2} m cortados, {3} perfurações, {4} horas de máquina</translation>
         </message>
         <message>
             <source>{0} parts without a place</source>
@@ -29087,6 +29231,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{file}, {total} lines to send</source>
             <translation>{file}, {total} linhas a enviar</translation>
+        </message>
+        <message>
+            <source>{first:.4g} and {second:.4g} mm</source>
+            <translation>{first:.4g} e {second:.4g} mm</translation>
         </message>
         <message>
             <source>{first_file}: restart that one again; its restart's cuts count as cut</source>
@@ -29465,6 +29613,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{named} não pode trocar ferramentas por '{tool_change}'</translation>
         </message>
         <message>
+            <source>{name} (not offered)</source>
+            <translation>{name} (não oferecida)</translation>
+        </message>
+        <message>
             <source>{name} and {other} may not share a line: they use the same word</source>
             <translation>{name} e {other} não podem dividir uma linha: usam a mesma palavra</translation>
         </message>
@@ -29691,6 +29843,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{package} is not installed</source>
             <translation>{package} não está instalado</translation>
+        </message>
+        <message>
+            <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
+            <translation>{parts} peças em {sheets:.4g} chapas, {metres:.1f} m de corte, {pierces:.0f} perfurações, {hours:.2f} horas da máquina</translation>
         </message>
         <message>
             <source>{path} cannot be read: {error}</source>

@@ -18,6 +18,7 @@ from CNCStepper.workbench import api
 from CNCStepper.workbench.document.job_files import export_job, open_job
 from CNCStepper.workbench.features.base import edit, problem_of
 from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
+from CNCStepper.workbench.restart import open_restart
 from CNCStepper.workers.proof import answer
 
 ROOT = Path(__file__).parents[2]
@@ -64,6 +65,11 @@ def test_a_saved_lathe_job_opens_with_the_same_program(document: Any, tmp_path: 
         each.touch()
     again.recompute()
     assert texts(job) == before
+
+
+def test_the_program_of_a_lathe_is_not_restarted_in_its_middle(document: Any) -> None:
+    with pytest.raises(JobError, match="cannot be restarted in its middle"):
+        open_restart(opened(document, JOBS[0]), lambda *_: None)
 
 
 CHANGES = {

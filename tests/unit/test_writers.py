@@ -47,7 +47,7 @@ REASONS = {
     "workbench/dock/virtual_controller": "a log in the user's own state folder of 0700, under a random name",
     "control/protocol/lathe/serial_port": "a recording that grows while bytes are sent, never over another file",
     "job/batch/task_files": PRIVATE,
-    "job/batch/task_journal": "written whole at the begin of a run, then it grows task by task",
+    "job/batch/task_journal": "it grows task by task, under a lock",
     "workers/batch_worker": "the process's own standard output",
     "job/batch/offer": BUFFER,
     "simulation/views/readings_plot": BUFFER,

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import FreeCAD
@@ -12,8 +13,11 @@ import pytest
 from PySide import QtGui
 
 from CNCStepper.workbench import api, panels
+from CNCStepper.workbench.document.turning import turning_defaults
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
+from CNCStepper.workbench.report import job_report
+from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 from window_helpers.task_panels import PANEL, accept, begin
 
@@ -40,7 +44,7 @@ def text_of_core(job: Any) -> str:
     return make_turning(turning_job_of(job), lathe_of(job), job.Label)[0].program
 
 
-def test_a_shaft_by_mouse_and_keyboard(hand: Hand) -> None:
+def test_a_shaft_by_mouse_and_keyboard(hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     hand.main(FreeCAD.newDocument, "Shaft")
     begin(hand, "CNCStepper_NewLatheJob")
     hand.fill(f"{PANEL}stock_diameter_mm", "40")
@@ -64,9 +68,9 @@ def test_a_shaft_by_mouse_and_keyboard(hand: Hand) -> None:
     begin(hand, "CNCStepper_TurnRough", "Profile")
     assert hand.main(colours, hand.find(f"{PANEL}picture")) > 3
     hand.fill(f"{PANEL}ap_mm", "1,25")
-    hand.wait(lambda: the("TurnRough").Ap.Value == 1.25, 10, "the depth")
+    hand.wait(lambda: the("TurnRough").Ap.Value == 1.25, 60, "the depth")
     hand.fill(f"{PANEL}feed_mm_rev", "20")
-    hand.wait(lambda: "at most" in note("feed_mm_rev"), 10, "the refusal")
+    hand.wait(lambda: "at most" in note("feed_mm_rev"), 60, "the refusal")
     hand.fill(f"{PANEL}feed_mm_rev", "0.25")
     hand.shot("lathe-3-roughing")
     accept(hand)
@@ -77,8 +81,38 @@ def test_a_shaft_by_mouse_and_keyboard(hand: Hand) -> None:
     assert hand.main(lambda: api.program_text(job)) == hand.main(text_of_core, job)
     assert hand.main(lambda: the("TurnFinish").Drawings[0][0].Label) == "Profile"
     hand.shot("lathe-4-tree")
+    every_other_command(hand, job)
+    report_is_written(hand, tmp_path / "shaft.html", monkeypatch)
     hand.undo()
     hand.wait(lambda: len(job.Operations) == 1, 10, "the finishing to be gone")
+
+
+def every_other_command(hand: Hand, job: Any) -> None:
+    """Each adds its operation with a panel, a picture and a tool of its kind; Cancel takes it away again."""
+    for cycle, kind in turning_defaults.KIND_OF_TOOL.items():
+        if cycle in ("turn_rough", "turn_finish"):
+            continue
+        begin(hand, TURNING_OPERATIONS[cycle].Type)
+        added = hand.main(lambda: job.Operations[-1])
+        assert hand.main(lambda added=added: (added.Proxy.CYCLE, added.Tool.Kind)) == (cycle, kind)
+        assert hand.main(colours, hand.find(f"{PANEL}picture")) > 3
+        hand.click(f"{PANEL}cancel")
+        hand.wait(lambda: len(job.Operations) == 2 and not FreeCADGui.Control.activeDialog(), 20, "the cancel")
+
+
+def report_is_written(hand: Hand, file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Report… of the menu writes operations with tool and time, the half section with the bar, and the program."""
+    shown: list[str] = []
+    monkeypatch.setattr(job_report, "show", shown.append)  # no reader is opened
+    hand.menu("CNCStepper", "Report…")
+    hand.wait(lambda: places.visible("CNCStepper_Report_file"), 10, "the file dialog")
+    dialog = hand.find("CNCStepper_Report_file")
+    hand.main(lambda: dialog.findChild(QtGui.QLineEdit).setText(str(file)))
+    hand.key("Return")
+    hand.wait(lambda: shown == [str(file)], 60, "the report")
+    page = file.read_text("utf-8")
+    for words in ("Ø 40 × 91 mm", "T1 CNMG 120408", "Roughing · T1 · ", "<!-- Z (mm) -->", "<!-- stock -->", "M02"):
+        assert words in page, words
 
 
 def colours(widget: Any) -> int:
@@ -117,5 +151,7 @@ def test_every_panel_of_the_lathe(hand: Hand, language: str) -> None:
         hand.main(panels.edit, obj)
         hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, "the panel")
         hand.shot(f"lathe-{language}-{hand.main(proxy_type, obj)}")
+        if hand.exists(f"{PANEL}tool"):
+            assert hand.main(lambda: places.find(f"{PANEL}tool").toolTip()).startswith("T1 CNMG 120408\n")
         hand.click(f"{PANEL}cancel")
         hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")

@@ -12,7 +12,7 @@ import FreeCADGui
 import pytest
 from PySide import QtCore, QtGui
 
-from CNCStepper.machine.part_record_table import read_csv
+from CNCStepper.machine.part_record_table import MOST_PARTS, read_csv
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
@@ -92,6 +92,7 @@ def test_parts_are_typed_pasted_worked_out_saved_and_opened(hand: Hand, window: 
     in_file_dialog(hand, file)
     hand.wait(file.exists, 5, "the file")
     assert [float(row[0].replace(",", ".")) for row in read_csv(file)[0]] == [150.02, 149.97, 150.0]
+    too_much_is_refused(hand, window)
     hand.click(f"{R}_plots")
     in_file_dialog(hand, picture)
     hand.wait(picture.exists, 5, "the picture")
@@ -103,6 +104,16 @@ def test_parts_are_typed_pasted_worked_out_saved_and_opened(hand: Hand, window: 
     in_file_dialog(hand, file)
     hand.wait(lambda: window.nominal_mm == (150.0, 50.0) and len(window.model.judged.whole) == 3, 5, "the file")
     assert file.name in hand.main(window.windowTitle)
+
+
+def too_much_is_refused(hand: Hand, window: Any) -> None:
+    """A column of a whole spreadsheet is refused in words, and the rows stay."""
+    hand.main(QtGui.QApplication.clipboard().setText, "150\n" * MOST_PARTS)
+    hand.main(lambda: (window.table.setFocus(), window.table.setCurrentIndex(window.model.index(1, 0))))
+    hand.key("Ctrl+V")
+    hand.wait(lambda: places.visible("CNCStepper_Tell_ok"), 5, "the refusal")
+    hand.click("CNCStepper_Tell_ok")
+    assert len(window.model.filled()) == 3
 
 
 def answers_what_would_be_lost(hand: Hand, window: Any) -> None:

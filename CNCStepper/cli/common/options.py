@@ -33,6 +33,9 @@ MOST_PROGRAM_BYTES = 400_000_000  # of a program that is held whole: `check` and
 MOST = QUANTITIES["factor"].most  # beyond it no length, angle or factor makes sense
 
 
+ABOUT_0 = 1e-6  # a bound so little below 0 lets 0 in
+
+
 class NumberType(click.ParamType):
     """One number with a decimal point, above a bound where there is one, or within those of a kind of quantity."""
 
@@ -56,6 +59,8 @@ class NumberType(click.ParamType):
         return number
 
     def _refusal(self, value: Any) -> Text:
+        if -ABOUT_0 < self._above < 0.0:
+            return Text("'{value}' is not a number from 0 on with a decimal point, such as 1.5", value=value)
         if self._above > -MOST:
             return Text(
                 "'{value}' is not a number above {least:g} with a decimal point, such as 1.5",

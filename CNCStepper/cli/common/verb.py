@@ -104,7 +104,7 @@ def _inputs(outputs: Sequence[Output], context: click.Context) -> Iterator[Input
         else:
             continue
         what = _spelled(param)
-        yield Input(file, f"{what}, which is read" if what.startswith("--") else f"{what.lower()} that is read")
+        yield Input(file, _read_words(param, what))
         for named in files_named(file):
             yield Input(named, f"a file that {what.lower()} names")
         if param.name == "program":
@@ -113,6 +113,13 @@ def _inputs(outputs: Sequence[Output], context: click.Context) -> Iterator[Input
         for program in programs:
             for file in _called(program, folders):
                 yield Input(file, "a subroutine that is called")
+
+
+def _read_words(param: click.Parameter, what: str) -> str:
+    """Return how a sentence names a file of an option or an argument, which may take several."""
+    if what.startswith("--"):
+        return f"{what}, which is read"
+    return f"one of {what.lower()} that are read" if param.nargs == -1 else f"{what.lower()} that is read"
 
 
 def files_named(file: Path) -> list[Path]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -33,14 +34,17 @@ MOST_MM = QUANTITIES["coordinate"].most
 
 
 class _Numbers(click.ParamType):
-    """Numbers with decimal points, joined by a separator."""
+    """Numbers with decimal points, or whole ones, joined by a separator."""
 
-    def __init__(self, name: str, separator: str, counts: tuple[int, ...], least: float):
-        self.name, self._separator, self._counts, self._least = name, separator, counts, least
+    def __init__(
+        self, name: str, separator: str, counts: tuple[int, ...], least: float, number: Callable[[str], float] = float
+    ):
+        self.name, self._separator, self._counts = name, separator, counts
+        self._least, self._number = least, number
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, ...]:
         try:
-            numbers = tuple(float(part) for part in str(value).lower().split(self._separator))
+            numbers = tuple(self._number(part) for part in str(value).lower().split(self._separator))
         except ValueError:
             numbers = ()
         if len(numbers) not in self._counts or not all(self._least <= number <= MOST_MM for number in numbers):
@@ -58,7 +62,7 @@ SizeType = _Numbers("X,Y", ",", (2,), 0.001)
     "--count", type=click.IntRange(1, 2000), multiple=True, help="Copies of each program in turn. [default: 1]"
 )
 @click.option("--at", type=_Numbers("X,Y[,DEG]", ",", (2, 3), -MOST_MM), multiple=True, help="A copy's work zero.")
-@click.option("--grid", type=_Numbers("COLUMNSxROWS", "x", (2,), 1), help="In rows: 3x2. One program fills it.")
+@click.option("--grid", type=_Numbers("COLUMNSxROWS", "x", (2,), 1, int), help="In rows: 3x2. One program fills it.")
 @click.option("--sheet", type=SizeType, help="Nest on a sheet of that size, from 0, 0.")
 @click.option("--turn", is_flag=True, help="With --sheet, also by 90, 180 and 270 degrees.")
 @click.option("--gap", "gap_mm", type=NumberType(above=-1e-9), default=5.0, show_default=True, help="Between cuts, mm.")

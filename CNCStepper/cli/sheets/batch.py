@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from CNCStepper.cli.common.language import show_text
+from CNCStepper.cli.common.language import look_up, show_text
 from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
@@ -101,7 +101,7 @@ def command(
             progress.share(share)
 
         result = run_batch(rows, out, runs, NestOptions(size_mm, gap_mm, turn, seeds, attempts, common_lines), show)
-    for path in write_tables(result, out, title or order.stem):
+    for path in write_tables(result, out, title or order.stem, look_up):
         click.echo(f"{path}")
     _tell(result)
     sys.exit(0 if result.is_whole else 1)
@@ -123,7 +123,7 @@ def _tell(result: BatchResult) -> None:
     from CNCStepper.job.batch.order_tables import refusals
 
     for sentence in refusals(result):
-        click.echo(f"   {sentence}", err=True)
+        show_text("   {sentence}", err=True, sentence=sentence)
     total = total_figures(result)
     cost = "" if total.cost is None else f", {total.cost:.2f} {total.currency}".rstrip()
     show_text(

@@ -13,7 +13,7 @@ def drill_axis(operation: TurnDrill, setup: TurningSetup, moves: TurningMoves) -
     """Append the hole; return its figures. Raises CycleError before the first move."""
     tool = setup.tool
     if tool.kind != "drill":
-        what, limit = "holes on the axis take a drill", "a drill"
+        what, limit = "holes on the axis take a drill", "a drilling tool"
         raise CycleError("drill-tool", what, value=tool.words, limit=limit, advice="use another tool")
     if tool.reach_mm and operation.depth_mm > tool.reach_mm:
         what, value = "the drill does not reach so deep", f"{operation.depth_mm:g} mm"

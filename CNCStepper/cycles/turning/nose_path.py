@@ -18,7 +18,7 @@ import numpy as np
 import shapely
 
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.geometry.region import Region
 from CNCStepper.tolerances import SAME_EDGE_DEG, SAME_MM
@@ -107,14 +107,17 @@ def require_reach(profile: Curve, setup: TurningSetup, side: float) -> None:
     front, back = (angle * side for angle in setup.tool.edges_deg)
     rising, falling = _steepest(profile)
     if rising < front - SAME_EDGE_DEG:
-        what, value = "the front edge of the insert does not reach the profile", f"front edge at {front:.4g} deg"
-        limit = f"at most {rising:.4g} deg: an entering angle of {180 - rising:.4g} deg or more"
+        what = "the front edge of the insert does not reach the profile"
+        value = Text("front edge at {front:.4g} deg", front=front)
+        needs = "at most {rising:.4g} deg: an entering angle of {entering:.4g} deg or more"
+        limit = Text(needs, rising=rising, entering=180 - rising)
         raise CycleError("insert-front", what, value=value, limit=limit, advice="use another insert or holder")
     if falling > back + SAME_EDGE_DEG:
-        what, value = "the back edge of the insert does not reach the profile", f"back edge at {back:.4g} deg"
-        limit = f"at least {falling:.4g} deg"
-        if front - falling >= LEAST_NOSE_DEG:
-            limit = f"at least {falling:.4g} deg: a nose angle of {front - falling:.4g} deg or less"
+        what = "the back edge of the insert does not reach the profile"
+        value = Text("back edge at {back:.4g} deg", back=back)
+        has_nose = front - falling >= LEAST_NOSE_DEG
+        needs = "at least {falling:.4g} deg: a nose angle of {nose:.4g} deg or less"
+        limit = Text(needs if has_nose else "at least {falling:.4g} deg", falling=falling, nose=front - falling)
         raise CycleError("insert-back", what, value=value, limit=limit, advice="use a more pointed insert or a groove")
     _require_nose(profile, setup)
 
@@ -139,7 +142,8 @@ def _require_nose(profile: Curve, setup: TurningSetup) -> None:
     """Raise CycleError for an arc of the profile that is hollow and narrower than the nose."""
     radii = [abs(radius) for radius, bulge in zip(profile.radii_mm, profile.bulge, strict=True) if bulge < 0]
     if radii and min(radii) < setup.tool.nose_mm - SAME_MM:
-        what, value = "the nose is too large for a hollow of the profile", f"nose radius {setup.tool.nose_mm:g} mm"
+        what = "the nose is too large for a hollow of the profile"
+        value = Text("nose radius {nose:g} mm", nose=setup.tool.nose_mm)
         raise CycleError("nose-radius", what, value=value, limit=f"{min(radii):.4g} mm", advice="use a smaller nose")
 
 

@@ -189,11 +189,12 @@ def check_thread(cut: ThreadCut, machine: Machine) -> None:
     length_mm = cut.z_start_mm - cut.z_end_mm
     if length_mm <= cut.pull_out_mm:
         what = "the thread is not longer than its pull-out"
-        limit = f"above {cut.pull_out_mm:g} mm"
+        limit = Text("above {least:g} mm", least=cut.pull_out_mm)
         raise CycleError("thread-length", what, value=f"{length_mm:g} mm", limit=limit, advice="lengthen the thread")
     if not cut.depth_mm > 0.0 or (cut.floor_radius_mm - cut.crest_radius_mm) * cut.way <= 0.0:
         what = "the crest of the thread lies below its floor"
-        limit = f"{'above' if cut.side == 'outside' else 'below'} {2 * cut.floor_radius_mm:.3f} mm"
+        needs = "above {floor:.3f} mm" if cut.side == "outside" else "below {floor:.3f} mm"
+        limit = Text(needs, floor=2 * cut.floor_radius_mm)
         value = f"{2 * cut.crest_radius_mm:.3f} mm"
         raise CycleError("thread-crest", what, value=value, limit=limit, advice="correct diameter_mm")
     if min(cut.floor_radius_mm, cut.floor_radius_mm + cut.slope * length_mm) <= 0.0:

@@ -24,7 +24,7 @@ def thread(operation: TurnThread, setup: TurningSetup, moves: TurningMoves) -> d
     """Append a thread and return its figures; raises CycleError or JobError before the first move."""
     if setup.tool.kind != "threading":
         what, advice = "a thread is cut with a threading tool", "use another tool"
-        raise CycleError("thread-tool", what, value=setup.tool.kind, limit="a threading tool", advice=advice)
+        raise CycleError("thread-tool", what, value=setup.tool.kind_words, limit="a threading tool", advice=advice)
     cut = thread_cut(operation, setup.tool.is_inside, setup.rpm, setup.profile)
     if setup.tool.pitch_mm and abs(setup.tool.pitch_mm - cut.form.pitch_mm) > SAME_MM:
         what, value = "the insert is of another pitch than the thread", f"{setup.tool.pitch_mm:g} mm"

@@ -79,10 +79,10 @@ def _require_turning_tool(operation: TurningOperation, tool: TurningTool, setup:
     if tool.kind not in ("turning", "boring") or wrong_hand:
         what = "a profile is cut by an insert, in a bore and on a cone by a right-hand one"
         limit = "a right-hand insert" if wrong_hand else "a turning or boring tool"
-        raise CycleError("profile-tool", what, value=f"{tool.hand} {tool.kind}", limit=limit, advice="use another tool")
+        raise CycleError("profile-tool", what, value=tool.kind_words, limit=limit, advice="use another tool")
     if operation.cycle == "turn_bore" and not tool.is_inside:
         what, limit = "boring takes a tool for the inside", "a boring bar"
-        raise CycleError("bore-tool", what, value=tool.kind, limit=limit, advice="use a boring bar")
+        raise CycleError("bore-tool", what, value=tool.kind_words, limit=limit, advice="use a boring bar")
     if tool.is_inside and setup.bore_mm <= 0:
         what = "there is no hole into which the boring bar gets"
         limit = f"{tool.smallest_bore_mm:g} mm" if tool.smallest_bore_mm else "above 0 mm"

@@ -10,6 +10,7 @@ journal.jsonl                                        what is done
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from CNCStepper.atomic_file import write_whole
@@ -34,12 +35,12 @@ FILES = {  # names that are written, and what they are by output_files.py
 }
 
 
-def write_tables(result: BatchResult, folder: Path, title: str) -> list[Path]:
-    """Write the tables and the offer of an order; return their paths."""
+def write_tables(result: BatchResult, folder: Path, title: str, look_up: Callable[[str], str] = str) -> list[Path]:
+    """Write the tables and the offer of an order; return their paths. look_up: as of `save_offer`."""
     names = ("rows.csv", "sheets.csv", "order.txt", "offer.pdf")
     rows, sheets, text, offer = paths = [folder / name for name in names]
     write_whole(rows, csv_bytes(HEAD, row_table(result)))
     write_whole(sheets, csv_bytes(SHEET_HEAD, sheet_table(result)))
     write_whole(text, text_table(result, title).encode("utf-8"))
-    save_offer(offer, result, title)
+    save_offer(offer, result, title, look_up)
     return paths

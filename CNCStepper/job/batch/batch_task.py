@@ -46,7 +46,8 @@ def run_task(task: Task) -> Result:
             out.mkdir(parents=True, exist_ok=True)
             return TASKS[task["kind"]](task, root, out)
         except CNCStepperError as error:
-            return {"error": error_below(root, error)}
+            is_of_job = error.place is not None and Path(error.place.file).parent == out
+            return {"error": error_below(root, error.at(None) if is_of_job else error)}  # that file is not kept
         except Exception as error:  # a fault of ours must not cost the other rows: it is told at its own
             what = Text("a fault of the program: {kind}: {error}", kind=type(error).__name__, error=error)
             fault = CNCStepperError("batch-fault", what, advice="please report it, with the drawing")
@@ -54,14 +55,20 @@ def run_task(task: Task) -> Result:
 
 
 def _read(task: Task, root: Path, out: Path) -> Result:
-    """Return how long the lines of a part are, mm, and how many; that a job can be made of it is tried."""
+    """Return length and number of a part's lines, and of what it is made; that a job can be made of it is tried."""
     template = template_of(task, root)
     chains = [chain for _, chain in cut_chains(template, below(root, task["drawing"]))]
     job = _drawn(task, root, out, "part.toml")
     _machine(task, root, job.job, out)
     untaken = sum(count.closed + count.open for count in job.untaken)
     notes = [*job.job.notes, *([f"no rule takes {untaken} chains of the drawing"] if untaken else [])]
-    return {"length_mm": sum(chain.curve.length_mm for chain in chains), "chains": len(chains), "notes": notes}
+    return {
+        "length_mm": sum(chain.curve.length_mm for chain in chains),
+        "chains": len(chains),
+        "material": job.job.material,
+        "thickness_mm": job.job.stock.size_mm[2],
+        "notes": notes,
+    }
 
 
 def _make(task: Task, root: Path, out: Path) -> Result:

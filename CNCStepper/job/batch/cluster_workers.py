@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ipaddress
 from collections.abc import Iterator, Sequence
+from concurrent.futures import CancelledError
 from itertools import islice
 from pathlib import Path
 from types import TracebackType
@@ -31,11 +32,8 @@ def require_safe(address: str, keys: Sequence[Path]) -> None:
 
     keys: files of the authority, the certificate and its key, for tls://.
     """
-    parts = urlsplit(address)
-    if parts.scheme not in ("tcp", "tls") or not parts.hostname:
-        advice = "write tcp://127.0.0.1:8786, or tls://HOST:8786"
-        raise JobError("cluster-address", "this is no address of a scheduler", value=address, advice=advice)
-    if parts.scheme == "tcp" and not _is_loopback(parts.hostname):
+    scheme, host = _scheme_and_host(address)
+    if scheme == "tcp" and not _is_loopback(host):
         raise JobError(
             "cluster-open",
             "a scheduler on another computer is asked over TLS only: what it is sent and sends is code",
@@ -43,11 +41,23 @@ def require_safe(address: str, keys: Sequence[Path]) -> None:
             limit="tcp:// of this computer, or tls://",
             advice="start scheduler and workers with TLS keys, and give tls:// with --tls-ca, --tls-cert and --tls-key",
         )
-    if parts.scheme == "tls" and len(keys) != 3:
+    if scheme == "tls" and len(keys) != 3:
         advice = "give --tls-ca, --tls-cert and --tls-key"
         raise JobError(
             "cluster-keys", "TLS takes an authority, a certificate and its key", value=address, advice=advice
         )
+
+
+def _scheme_and_host(address: str) -> tuple[str, str]:
+    """Return the two of an address that has a port too; raises JobError for any other text."""
+    try:
+        parts = urlsplit(address)
+        if parts.scheme in ("tcp", "tls") and parts.hostname and parts.port:
+            return parts.scheme, parts.hostname
+    except ValueError:  # a port beyond 65535, a bracket that is not closed
+        pass
+    advice = "write tcp://127.0.0.1:8786, or tls://HOST:8786"
+    raise JobError("cluster-address", "this is no address of a scheduler", value=address, advice=advice)
 
 
 def _is_loopback(host: str) -> bool:
@@ -76,36 +86,50 @@ class ClusterWorkers:
             what = Text("no scheduler answers: {error}", error=error)
             advice = "start one: dask scheduler --host 127.0.0.1, and dask worker for each core"
             raise LinkError("cluster-silent", what, value=self._address, advice=advice) from error
+        self._require_worker()
         return self
+
+    def _require_worker(self) -> None:
+        """Wait for the first worker; raises LinkError where none comes."""
+        try:
+            self._client.wait_for_workers(1, timeout=CONNECT_S)
+        except _library().TimeoutError as error:
+            self._client.close()
+            what, advice = "the scheduler has no workers", "start one for each core: dask worker ADDRESS"
+            raise LinkError("cluster-empty", what, value=self._address, advice=advice) from error
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
         if self._client is not None:
             self._client.close()
 
     def results(self, tasks: Sequence[Task]) -> Iterator[tuple[int, Result]]:
-        """Yield the number of each task and its result, as they are done."""
+        """Yield the number of each task and its result, as they are done; raises LinkError for a lost scheduler."""
         waiting = iter(enumerate(tasks))
         numbers = {self._submitted(task): number for number, task in islice(waiting, IN_FLIGHT)}
         running = _library().as_completed(list(numbers), loop=self._client.loop)
         for future in running:
+            result = self._result(future)
             for number, task in islice(waiting, 1):
                 running.add(next_one := self._submitted(task))
                 numbers[next_one] = number
-            yield numbers.pop(future), _result(future)
+            yield numbers.pop(future), result
 
     def _submitted(self, task: Task) -> Any:
         return self._client.submit(run_task, task, pure=False, retries=RETRIES)
 
-
-def _result(future: Any) -> Result:
-    """Return a task's result; of a worker that cannot run it, or that was lost each time, the error."""
-    error = future.exception()
-    if error is None:
-        result: Result = future.result()
+    def _result(self, future: Any) -> Result:
+        """Return a task's result; of a worker that cannot run it, or that was lost each time, the error."""
+        try:
+            result: Result = future.result()
+        except CancelledError as error:  # by the client itself, of every task that waits
+            what = "the connection to the scheduler is lost"
+            advice = "start it again, and run the same command: what is done is not done again"
+            raise LinkError("cluster-lost", what, value=self._address, advice=advice) from error
+        except Exception as error:
+            what = Text("the cluster gave no result: {kind}: {error}", kind=type(error).__name__, error=error)
+            advice = "install CNCStepper on every worker, and look at the worker's log"
+            return {"error": error_to_json(CNCStepperError("cluster-task", what, advice=advice))}
         return result
-    what = Text("the cluster gave no result: {kind}: {error}", kind=type(error).__name__, error=error)
-    advice = "install CNCStepper on every worker, and look at the worker's log"
-    return {"error": error_to_json(CNCStepperError("cluster-task", what, advice=advice))}
 
 
 def _library() -> Any:

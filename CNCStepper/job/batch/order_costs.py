@@ -20,7 +20,10 @@ S_IN_HOUR = 3600.0
 
 @dataclass
 class Figures:
-    """Sums of a row, a sheet or an order. cost: None where a machine has no rates."""
+    """Sums of a row, a sheet or an order.
+
+    cost: None where a machine has no rates, and where there are several currencies, as in "EUR, BRL".
+    """
 
     parts: int = 0
     sheets: float = 0.0
@@ -36,8 +39,10 @@ class Figures:
         self.metres += share * other.metres
         self.pierces += pierce_share * other.pierces
         self.hours += share * other.hours
-        self.cost = None if self.cost is None or other.cost is None else self.cost + share * other.cost
-        self.currency = self.currency or other.currency
+        currencies = dict.fromkeys(filter(None, [*self.currency.split(", "), *other.currency.split(", ")]))
+        self.currency = ", ".join(currencies)
+        is_sum = self.cost is not None and other.cost is not None and len(currencies) < 2
+        self.cost = self.cost + share * other.cost if is_sum else None  # type: ignore[operator]
 
 
 def figures_of(sheet: MadeSheet) -> Figures:
@@ -88,7 +93,7 @@ def _shares(sheet: MadeSheet, each: Sequence[float]) -> list[float]:
     """Return the share of each row, of the value of one part and the number of parts."""
     values = [value * count for value, count in zip(each, sheet.rows.values(), strict=True)]
     total = sum(values)
-    return [value / total for value in values]
+    return [value / total if total else 1.0 / len(values) for value in values]  # points have no length
 
 
 def total_figures(result: BatchResult) -> Figures:

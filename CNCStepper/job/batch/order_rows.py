@@ -12,8 +12,11 @@ is an error of its own, and the other rows stay.
 from __future__ import annotations
 
 import csv
+from collections.abc import Callable
 from dataclasses import dataclass
+from io import StringIO
 from pathlib import Path
+from typing import Any
 
 from CNCStepper.errors import CNCStepperError, JobError, Place, Text
 from CNCStepper.input_file import is_there, read_input
@@ -28,7 +31,10 @@ MOST_ROWS = 10_000
 
 @dataclass(frozen=True)
 class OrderRow:
-    """One row. line: of the file, from 1. thickness_mm: None: the template's. error: why the row is refused."""
+    """One row. line: of the file, from 1. thickness_mm: None: the template's. error: why the row is refused.
+
+    Of a refused row a count that is wrong is 0, a thickness None.
+    """
 
     line: int
     drawing: Path
@@ -44,7 +50,7 @@ def read_rows(path: Path) -> list[OrderRow]:
     place = Place(str(path))
     try:
         text = read_input(path, MOST_BYTES).decode("utf-8-sig")
-        lines = text.splitlines()
+        lines = list(StringIO(text, newline=None))
         mark = ";" if lines and ";" in lines[0] else ","
         reader = csv.reader(lines, delimiter=mark, strict=True)
         head = [name.strip().casefold() for name in next(reader, [])]
@@ -71,27 +77,37 @@ def _require_columns(head: list[str], place: Place) -> None:
             "the first line of an order names its columns: drawing and template, and material, thickness_mm, count",
             value=printable(", ".join(head), 200),
             limit=", ".join(COLUMNS),
-            advice=Text("write as the first line: {columns}", columns=",".join(COLUMNS)),
+            advice=Text("write as the first line, with commas or semicolons: {columns}", columns=",".join(COLUMNS)),
             place=Place(place.file, 1),
         )
 
 
 def _row(head: list[str], cells: list[str], line: int, path: Path, mark: str) -> OrderRow:
-    """Return a row; where a value is wrong, with its error."""
+    """Return a row with all values that are right; where one is wrong, with the first error."""
     told = dict(zip(head, (cell.strip() for cell in cells), strict=False))
     drawing, template = (path.parent / told.get(name, "") for name in ("drawing", "template"))
-    row = OrderRow(line, drawing, template, told.get("material", ""))
-    try:
-        if len(cells) > len(head):
-            what, advice = "the row has more values than there are columns", "put a text with commas in quotes"
-            raise JobError("order-row", what, value=f"{len(cells)}", limit=f"{len(head)}", advice=advice)
-        _require_file("drawing", told.get("drawing", ""), drawing)
-        _require_file("template", told.get("template", ""), template)
-        thickness_mm = told.get("thickness_mm") and _number(told["thickness_mm"], "thickness_mm", "depth", mark)
-        count = _count(told.get("count") or "1")
-        return OrderRow(line, drawing, template, row.material, thickness_mm or None, count)
-    except CNCStepperError as error:
-        return OrderRow(line, drawing, template, row.material, error=error.at(Place(str(path), line)))
+    errors: list[CNCStepperError] = []
+
+    def read(value: Callable[[], Any], otherwise: Any = None) -> Any:
+        try:
+            return value()
+        except CNCStepperError as error:
+            errors.append(error.at(Place(str(path), line)))
+            return otherwise
+
+    read(lambda: _require_width(cells, head))
+    read(lambda: _require_file("drawing", told.get("drawing", ""), drawing))
+    read(lambda: _require_file("template", told.get("template", ""), template))
+    thickness = told.get("thickness_mm")
+    thickness_mm = read(lambda: _number(thickness, "thickness_mm", "depth", mark)) if thickness else None
+    count = read(lambda: _count(told.get("count") or "1"), 0)
+    return OrderRow(line, drawing, template, told.get("material", ""), thickness_mm, count, next(iter(errors), None))
+
+
+def _require_width(cells: list[str], head: list[str]) -> None:
+    if len(cells) > len(head):
+        what, advice = "the row has more values than there are columns", "put a text with commas in quotes"
+        raise JobError("order-row", what, value=f"{len(cells)}", limit=f"{len(head)}", advice=advice)
 
 
 def _require_file(name: str, told: str, file: Path) -> None:

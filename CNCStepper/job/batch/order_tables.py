@@ -7,9 +7,11 @@ import csv
 from collections.abc import Iterator, Sequence
 from io import StringIO
 
+from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.job.batch.order_costs import Figures, figures_of, row_figures, total_figures
 from CNCStepper.job.batch.run_batch import BatchResult
 from CNCStepper.output_files import MADE_BY
+from CNCStepper.safe_text import printable
 
 HEAD = (
     "line", "drawing", "template", "material", "thickness_mm", "count",
@@ -18,6 +20,7 @@ HEAD = (
 SHEET_HEAD = ("sheet", "parts", "metres", "pierces", "hours", "cost", "currency", "state")
 TEXT_COLUMNS = ("line", "drawing", "material", "thickness_mm", "count", "made", "sheets", "metres", "pierces", "hours",
                 "cost", "state")  # fmt: skip
+LONGEST = 80  # characters of a cell
 LEFT = ("drawing", "material", "state", "sheet")
 
 
@@ -27,9 +30,9 @@ def row_table(result: BatchResult) -> list[dict[str, str]]:
     for number, (row, figures) in enumerate(zip(result.rows, row_figures(result), strict=True)):
         told = {
             "line": f"{row.line}",
-            "drawing": row.drawing.name,
-            "template": row.template.name,
-            "material": row.material,
+            "drawing": printable(row.drawing.name, LONGEST),
+            "template": printable(row.template.name, LONGEST),
+            "material": printable(row.material, LONGEST),
             "thickness_mm": "" if row.thickness_mm is None else f"{row.thickness_mm:g}",
             "count": f"{row.count}",
             "state": state_of(result, number),
@@ -95,17 +98,20 @@ def text_table(result: BatchResult, title: str) -> str:
     return "\n".join([*lines, *([""] if problems else []), *problems]) + "\n"
 
 
-def refusals(result: BatchResult) -> Iterator[str]:
+def refusals(result: BatchResult) -> Iterator[Text]:
     """Yield a sentence for each row, part and sheet that was not made: where, the value, the remedy."""
     for number, error in sorted(result.errors.items()):
-        yield f"line {result.rows[number].line}: {result.rows[number].drawing.name}: {error}"
+        yield Text("line {line}: {name}: {error}", **_row(result, number), error=error)
     for number, (count, why) in sorted(result.unplaced.items()):
-        yield f"line {result.rows[number].line}: {count} of {result.rows[number].drawing.name} not placed: {why}"
+        yield Text("line {line}: {count} of {name} not placed: {why}", **_row(result, number), count=count, why=why)
     for sheet in result.sheets:
-        if sheet.error is not None:
-            yield f"{sheet.name}: {sheet.error}"
-        else:
-            yield from (f"{sheet.name}: {finding}" for finding in sheet.result["refused"])
+        problems: Sequence[str | CNCStepperError] = sheet.result["refused"] if sheet.error is None else [sheet.error]
+        yield from (Text("{name}: {error}", name=sheet.name, error=each) for each in problems)
+
+
+def _row(result: BatchResult, number: int) -> dict[str, object]:
+    row = result.rows[number]
+    return {"line": row.line, "name": printable(row.drawing.name, LONGEST)}
 
 
 def _aligned(head: Sequence[str], table: Sequence[dict[str, str]]) -> list[str]:

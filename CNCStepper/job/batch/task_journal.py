@@ -5,6 +5,7 @@
     {"key": "5e1f…", "result": {...}, "files": {"job-1-1.nc": "9b0c…"}}      a line each, on the disk before the next
 
 A task is done when its key is here and its files have the bytes that are noted. A last line that is torn is left out.
+The file is locked by the process that writes it: two orders at once would mix their programs in one folder.
 """
 
 from __future__ import annotations
@@ -18,7 +19,9 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-from CNCStepper.atomic_file import write_whole
+from CNCStepper.atomic_file import checked_target, write_whole
+from CNCStepper.control.processes.file_lock import take_lock
+from CNCStepper.errors import JobError, Place
 from CNCStepper.job.request_digest import digest_of
 
 FORMAT = {"format": "CNCStepper batch journal"}
@@ -41,13 +44,28 @@ class TaskJournal:
 
     def __init__(self, folder: Path):
         self._folder, self._path = folder, folder / JOURNAL_NAME
-        self._entries = _entries(self._path)
+        self._entries: dict[str, dict[str, Any]] = {}
         self._file: Any = None
 
     def __enter__(self) -> TaskJournal:
-        write_whole(self._path, b"".join(map(_line, (FORMAT, *self._entries.values()))))
-        self._file = self._path.open("ab")
+        self._file = checked_target(self._path).open("a+b")
+        self._lock()
+        self._file.seek(0)
+        content = self._file.read()
+        self._entries = _entries(content)
+        if not content.endswith(b"\n"):
+            self._file.write(b"\n" if content else _line(FORMAT))
         return self
+
+    def _lock(self) -> None:
+        """Keep other processes out as long as this one lives; raises JobError where one is in."""
+        try:
+            take_lock(self._file)
+        except (BlockingIOError, PermissionError) as error:
+            self._file.close()
+            what = "another process writes an order into this folder"
+            advice = "wait until it is done, or name another folder"
+            raise JobError("batch-running", what, advice=advice, place=Place(str(self._folder))) from error
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
         self._file.close()
@@ -87,16 +105,23 @@ def _line(entry: Mapping[str, Any]) -> bytes:
     return json.dumps(entry).encode("ascii") + b"\n"
 
 
-def _entries(path: Path) -> dict[str, dict[str, Any]]:
-    """Return the entries of a journal by their keys; of a torn line none."""
+def _entries(content: bytes) -> dict[str, dict[str, Any]]:
+    """Return the entries of a journal by their keys; of a line that is torn or says something else none."""
     found: dict[str, dict[str, Any]] = {}
-    with suppress(FileNotFoundError):
-        for line in path.read_bytes().splitlines():
-            with suppress(ValueError):
-                entry = json.loads(line)
-                if isinstance(entry, dict) and {"key", "result", "files"} <= entry.keys():
-                    found[entry["key"]] = entry
+    for line in content.splitlines():
+        with suppress(ValueError):
+            entry = json.loads(line)
+            if _is_entry(entry):
+                found[entry["key"]] = entry
     return found
+
+
+def _is_entry(entry: Any) -> bool:
+    """Return whether a line is of this format, and names files of the folder alone."""
+    if not isinstance(entry, dict) or not isinstance(entry.get("key"), str):
+        return False
+    files = entry.get("files")
+    return isinstance(entry.get("result"), dict) and isinstance(files, dict) and all(Path(n).name == n for n in files)
 
 
 def _sha256_of(path: Path) -> str:

@@ -11,8 +11,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.job.cut_transfer import read_back
+import numpy as np
+
+from CNCStepper.job import cut_transfer
 from CNCStepper.job.model import Job
+from CNCStepper.job.turning import turning_transfer
+from CNCStepper.job.turning.turning_job import TurnedStock, TurningJob
 from CNCStepper.machine.profile import Machine
 from CNCStepper.simulation.views.paper_sheet import Sheet, save_sheet
 from CNCStepper.simulation.views.picture_style import duration_text
@@ -23,17 +27,33 @@ def write_program_sheet(asked: dict[str, Any], job: Job, machine: Machine, times
 
     times_s: the planned time of each operation of the job.
     """
-    facts = (*map(tuple, asked["facts"]), *operation_facts(asked, times_s))
-    toolpath = read_back(job, machine, asked["text"], asked["title"])
-    sheet = Sheet(asked["title"], facts, asked["text"], toolpath, job.stock.stock())
+    toolpath = cut_transfer.read_back(job, machine, asked["text"], asked["title"])
+    facts = _facts(asked, times_s)
+    return _save(asked, Sheet(asked["title"], facts, asked["text"], toolpath, job.stock.stock()))
+
+
+def write_turned_sheet(asked: dict[str, Any], job: TurningJob, machine: Machine) -> str:
+    """Write the sheet of a lathe's program, its path beside the bar in half section; see `write_program_sheet`."""
+    toolpath = turning_transfer.read_back(job, machine, asked["text"], asked["title"])
+    facts = _facts(asked, turning_transfer.operation_times_s(job, machine))
+    return _save(asked, Sheet(asked["title"], facts, asked["text"], toolpath, bar_mm=_bar_mm(job.stock)))
+
+
+def _save(asked: dict[str, Any], sheet: Sheet) -> str:
     save_sheet(Path(asked["file"]), sheet)
     return str(asked["file"])
 
 
-def operation_facts(asked: dict[str, Any], times_s: Sequence[float]) -> list[tuple[str, str]]:
-    """Return a fact for each operation up to the most that are asked for, and the time of all."""
+def _bar_mm(stock: TurnedStock) -> np.ndarray:
+    """Return low and high corner of the raw bar's half section, X the radius, float64[2, 3]."""
+    low = (stock.bore_mm / 2, np.nan, -stock.length_mm)
+    return np.array([low, (stock.diameter_mm / 2, np.nan, stock.face_mm)], float)
+
+
+def _facts(asked: dict[str, Any], times_s: Sequence[float]) -> tuple[tuple[str, str], ...]:
+    """Return the given facts, one for each operation up to the most that are asked for, and the time of all."""
     rows = list(zip(asked["operations"], times_s, strict=True))
     shown = [(name, f"{words} · {duration_text(time_s)}") for (name, words), time_s in rows[: asked["most"]]]
     left = len(rows) - len(shown)
     more = [("…", f"+ {left}")] if left else []
-    return [*shown, *more, (asked["together"], duration_text(sum(times_s)))]
+    return (*map(tuple, asked["facts"]), *shown, *more, (asked["together"], duration_text(sum(times_s))))

@@ -220,7 +220,7 @@ def require_no_gap(gap_mm: float) -> None:
 
 
 def _sheets(form: SheetForm, number: int, chains_of: ChainsOf) -> list[Sheet]:
-    name = form.name or f"sheet {number}"
+    name = form.name or Text("sheet {number}", number=number)
     if form.size_mm:
         outline = shapely.box(0.0, 0.0, *form.size_mm)
     else:
@@ -232,7 +232,7 @@ def _sheets(form: SheetForm, number: int, chains_of: ChainsOf) -> list[Sheet]:
 
 def _drawn(form: PartForm, number: int, chains_of: ChainsOf, tolerance_mm: float) -> tuple[Item, tuple[Chain, ...]]:
     """Return a part and the chains that are drawn for it."""
-    name = form.name or (Path(form.drawing).stem if form.drawing else f"part {number}")
+    name = form.name or (Path(form.drawing).stem if form.drawing else Text("part {number}", number=number))
     if form.polygon_mm:
         polygon = polygon_from(name, form.polygon_mm, form.holes_mm)
         rings = [shapely.get_coordinates(ring) for ring in (polygon.exterior, *polygon.interiors)]

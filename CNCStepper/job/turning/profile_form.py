@@ -26,7 +26,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, model_validator
 from shapely import LineString
 
-from CNCStepper.errors import JobError, Place, placed
+from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.shapes import Drawn, DxfForm, ShapeKey, read_shapes
 from CNCStepper.quantities import MOST_ITEMS, Coordinate, Width, WidthOr0
@@ -106,7 +106,7 @@ def check_profile(chain: Curve) -> None:
     low = int(np.argmin(points[:, 1]))
     if points[low, 1] < -SAME_MM:
         what = "the profile goes over the centre"
-        value = f"radius {points[low, 1]:.4g} mm at z {points[low, 0]:.4g} mm"
+        value = Text("radius {radius:.4g} mm at z {z:.4g} mm", radius=points[low, 1], z=points[low, 0])
         raise JobError("profile-axis", what, value=value, limit="radius 0 mm", advice="end it at the axis")
     if not LineString(points).is_simple:
         raise JobError("profile-crossing", "the profile crosses itself", value=_crossing(points), advice="redraw it")
@@ -114,7 +114,8 @@ def check_profile(chain: Curve) -> None:
     worst = int(np.argmax(back))
     if back[worst] > SAME_MM:
         what = "the profile has an undercut: it runs back towards the end face"
-        value, limit = f"from z {points[worst, 0]:.4g} mm by {back[worst]:.4g} mm", f"z {points[worst, 0]:.4g} mm"
+        value = Text("from z {z:.4g} mm by {back:.4g} mm", z=points[worst, 0], back=back[worst])
+        limit = f"z {points[worst, 0]:.4g} mm"
         raise JobError("profile-undercut", what, value=value, limit=limit, advice="let z never rise along it")
 
 
@@ -191,15 +192,15 @@ def _bulge(corner: Corner, begin: np.ndarray, end: np.ndarray, scale: float) -> 
     if corner.radius_mm is not None:
         if chord_mm > 2 * corner.radius_mm + SAME_MM:
             what, value = "the arc's radius is too small for its ends", f"{corner.radius_mm:g} mm"
-            raise JobError(
-                "profile-arc", what, value=value, limit=f"at least {chord_mm / 2:.4g} mm", advice="correct it"
-            )
+            limit = Text("at least {least:.4g} mm", least=chord_mm / 2)
+            raise JobError("profile-arc", what, value=value, limit=limit, advice="correct it")
         return sign * math.tan(math.asin(min(chord_mm / 2 / corner.radius_mm, 1.0)) / 2)
     assert corner.centre is not None
     centre = np.array([corner.centre[1], corner.centre[0] * scale])
     radii = [float(np.hypot(*(point - centre))) for point in (begin, end)]
     if abs(radii[0] - radii[1]) > 0.005:
-        what, value = "the arc's centre is not as far from both its ends", f"{radii[0]:.4g} and {radii[1]:.4g} mm"
+        what = "the arc's centre is not as far from both its ends"
+        value = Text("{first:.4g} and {second:.4g} mm", first=radii[0], second=radii[1])
         raise JobError("profile-arc", what, value=value, limit="0.005 mm apart", advice="correct centre or to")
     angles = [math.atan2(*(point - centre)[::-1]) for point in (begin, end)]
     sweep = (sign * (angles[1] - angles[0])) % (2 * math.pi)

@@ -6,6 +6,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.cut_transfer import machine_content, machine_from
@@ -48,11 +50,17 @@ def last_cut(job: TurningJob, machine: Machine) -> tuple[dict[str, float], tuple
 
 def last_time_s(job: TurningJob, machine: Machine) -> float:
     """Return the planned time of a job's last operation, s."""
+    return operation_times_s(job, machine)[-1]
+
+
+def operation_times_s(job: TurningJob, machine: Machine) -> list[float]:
+    """Return the planned time of each operation of a job, s."""
     from CNCStepper.motion.planner.plan import begun, times_s  # its kernels load late
 
     moves, _ = turned_moves(job, machine)
-    ends_s, first = times_s(begun(moves), machine), moves.spans[-1].first
-    return float(ends_s[-1] - (ends_s[first - 1] if first else 0.0))
+    ends_s = np.concatenate([[0.0], times_s(begun(moves), machine)])
+    spans = [span for span in moves.spans if span.kind == "operation"]
+    return [float(ends_s[span.last] - ends_s[span.first]) for span in spans]
 
 
 def read_back(job: TurningJob, machine: Machine, text: str, file: str) -> Toolpath:

@@ -31,6 +31,13 @@ from CNCStepper.quantities import Bounds, ChipLoadOr0, SpeedOr0, TipAngle, ToolN
 Kind = Literal["turning", "boring", "parting", "drill", "threading"]
 Hand = Literal["right", "left"]
 OTHER_HAND: dict[Hand, Hand] = {"right": "left", "left": "right"}
+KINDS: dict[Kind, Text] = {
+    "turning": Text("turning"),
+    "boring": Text("boring"),
+    "parting": Text("parting"),
+    "drill": Text("drill"),
+    "threading": Text("threading"),
+}  # as they are said in "a {kind} tool"
 Vertex = tuple[float, float, float]  # z_mm, r_mm, bulge of what follows
 Outline = tuple[Vertex, ...]
 
@@ -90,8 +97,9 @@ class TurningTool(BaseModel):
     def _keys_fit_together(self) -> TurningTool:
         for key, kind in (("width_mm", "parting"), ("diameter_mm", "drill")):
             if (getattr(self, key) > 0) != (self.kind == kind):
-                verb = "needs" if self.kind == kind else "has no"
-                raise ValueError(Text("a {kind} tool {verb} {key}", kind=self.kind, verb=verb, key=key))
+                needs = self.kind == kind
+                what = "a {kind} tool needs {key}" if needs else "a {kind} tool has no {key}"
+                raise ValueError(Text(what, kind=KINDS[self.kind], key=key))
         if self.insert:
             self._check_insert()
         elif self.kind in ("turning", "boring") and (self.front_deg is None or self.back_deg is None):
@@ -107,13 +115,15 @@ class TurningTool(BaseModel):
 
     def _check_insert(self) -> None:
         if self.kind in ("parting", "drill"):
-            raise ValueError(Text("a {kind} tool has no insert of ISO 1832", kind=self.kind))
+            raise ValueError(Text("a {kind} tool has no insert of ISO 1832", kind=KINDS[self.kind]))
         try:
             insert = insert_of(self.insert)
         except JobError as error:
             raise ValueError(error.sentence) from error
         if (insert.shape == "thread") != (self.kind == "threading"):
-            raise ValueError(Text("'{insert}' is no insert of a {kind} tool", insert=insert.code, kind=self.kind))
+            raise ValueError(
+                Text("'{insert}' is no insert of a {kind} tool", insert=insert.code, kind=KINDS[self.kind])
+            )
 
     @property
     def _insert(self) -> Insert | None:
@@ -202,11 +212,17 @@ class TurningTool(BaseModel):
     def words(self) -> str:
         """The words by which a person picks the tool."""
         if self.kind == "drill":
-            return f"drill {self.diameter_mm:g} mm"
+            return Text("drill {diameter:g} mm", diameter=self.diameter_mm)
         if self.kind == "parting":
-            return f"parting blade {self.width_mm:g} mm"
-        name = self._insert.code if self._insert else f"nose {self.nose_mm:g} mm"
-        return f"{self.kind} {name}"
+            return Text("parting blade {width:g} mm", width=self.width_mm)
+        name = self._insert.code if self._insert else Text("nose {nose:g} mm", nose=self.nose_mm)
+        return Text("{kind} {name}", kind=KINDS[self.kind], name=name)
+
+    @property
+    def kind_words(self) -> str:
+        """What kind of tool it is, and that it is a left-hand one."""
+        kind = KINDS[self.kind]
+        return Text("a left-hand {kind} tool", kind=kind) if self.hand == "left" else Text("a {kind} tool", kind=kind)
 
     @property
     def pitch_mm(self) -> float:

@@ -22,16 +22,17 @@ from CNCStepper.simulation.turning.wanted_profile import GOUGE_MM, LEFT_MM, Want
 PAST_CENTRE_MM = 0.5  # how far beyond its nose radius a tool may cross the axis: facing needs the nose alone
 LOAD_SHARE = 1.001  # a limit is exceeded by more than rounding
 SLENDER, SLENDER_WITH_TAILSTOCK = 4.0, 10.0  # length by diameter that a bar may stick out
-ADVICE_OF = {
-    "chuck": "shorten the travel along Z, or let the bar stick out further",
-    "jaws": "shorten the travel along Z, or let the bar stick out further",
-    "tailstock": "retract along X beside the tailstock, or move it away",
+BEFORE_CHUCK = "shorten the travel along Z, or let the bar stick out further"
+COLLISIONS = {  # by the name of the obstacle: what is wrong, and what to do
+    "chuck": ("the tool runs into the chuck", BEFORE_CHUCK),
+    "jaws": ("the tool runs into the jaws", BEFORE_CHUCK),
+    "tailstock": ("the tool runs into the tailstock", "retract along X beside the tailstock, or move it away"),
 }
 
 
 @dataclass(frozen=True)
 class TurningSetup:
-    """What a program is checked against. tools: by number. obstacles: chuck, jaws, tailstock, by name, as regions.
+    """What a program is checked against. tools: by number. obstacles: those of COLLISIONS, by name, as regions.
 
     wanted: the profiles and all else that may be cut; empty where it is not known. x_factor: 2 where the program gives
     X as diameter: findings give places as it does.
@@ -79,8 +80,7 @@ class _Checks:
         for name, region in self._setup.obstacles.items():
             found = contacts(region, self._part.areas, 0) + contacts(region, holders, 0)
             for one in sorted(found, key=lambda contact: contact.move)[:1]:
-                text = Text("the tool runs into the {obstacle}", obstacle=name)
-                yield self._contact(one, "collision", text, ADVICE_OF.get(name, ADVICE_OF["chuck"]))
+                yield self._contact(one, "collision", *COLLISIONS[name])
 
     def centre(self) -> Iterator[Finding]:
         """Yield the move that goes farthest over the axis, if it goes farther than its nose needs."""

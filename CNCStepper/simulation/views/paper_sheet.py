@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from io import BytesIO, StringIO
 from pathlib import Path
+from typing import Any
 
 import matplotlib
 import numpy as np
@@ -63,7 +64,7 @@ class Sheet:
     """What is printed. facts: (name, value), as file, process, material. stock: None where it is not known.
 
     limits_mm: low and high corner of the travel in work coordinates, float64[2, 3], None where the work zero is not
-    known.
+    known. bar_mm: the same of a lathe's bar in half section, X the radius.
     """
 
     title: str
@@ -72,6 +73,7 @@ class Sheet:
     toolpath: Toolpath
     stock: Stock | None = None
     limits_mm: np.ndarray | None = None
+    bar_mm: np.ndarray | None = None
 
 
 def save_sheet(file: Path, sheet: Sheet) -> None:
@@ -194,13 +196,13 @@ def _shown_mm(axes: Axes) -> np.ndarray:
 
 def _draw(axes: Axes, sheet: Sheet) -> list[str]:
     """Draw travel, stock, path and work zero; return what there is, for the legend, "zero" alone where nothing is."""
-    seen = list(_seen(sheet.toolpath))
+    seen = list(LATHE if sheet.bar_mm is not None else _seen(sheet.toolpath))
     axes.set_facecolor(GROUND)
     axes.grid(color="white", lw=0.8)
     axes.set_axisbelow(True)
     names = draw_path(axes, drawn_path(sheet.toolpath, tuple(seen)), lambda points: points[:, seen], plunge_lines=False)
-    if sheet.stock is not None:
-        axes.add_patch(_stock(sheet.stock, seen))
+    if (workpiece := _workpiece(sheet, seen)) is not None:
+        axes.add_patch(workpiece)
         names = [*names, "workpiece"]
     axes.plot(0, 0, "+", color=COLOURS["zero"], ms=14, mew=2.0, zorder=5)
     if sheet.limits_mm is not None:
@@ -220,11 +222,19 @@ def _seen(toolpath: Toolpath) -> tuple[int, int]:
     return LATHE if len(ends) and np.isnan(ends[:, 1]).all() and np.isfinite(ends[:, 2]).any() else FROM_ABOVE
 
 
-def _stock(stock: Stock, seen: list[int]) -> Polygon | Rectangle:
-    if tuple(seen) == FROM_ABOVE:
-        return Polygon(np.asarray(stock.outline.exterior.coords), fc=STOCK_COLOUR, ec=INK, lw=1.0, zorder=1)
-    low, high = np.asarray(stock.low_mm)[seen], np.asarray(stock.high_mm)[seen]
-    return Rectangle(tuple(low), *(high - low), fc=STOCK_COLOUR, ec=INK, lw=1.0, zorder=1)
+def _workpiece(sheet: Sheet, seen: list[int]) -> Polygon | Rectangle | None:
+    """Return the outline of the stock or the bar as it is seen, None where neither is known."""
+    style: dict[str, Any] = {"fc": STOCK_COLOUR, "ec": INK, "lw": 1.0, "zorder": 1}
+    stock = sheet.stock
+    if sheet.bar_mm is not None:
+        low, high = sheet.bar_mm[:, seen]
+    elif stock is None:
+        return None
+    elif tuple(seen) == FROM_ABOVE:
+        return Polygon(np.asarray(stock.outline.exterior.coords), **style)
+    else:
+        low, high = np.asarray(stock.low_mm)[seen], np.asarray(stock.high_mm)[seen]
+    return Rectangle(tuple(low), *(high - low), **style)
 
 
 def _html(sheet: Sheet) -> str:

@@ -113,7 +113,9 @@ class Operation(Command):
             found.require()
         tool = self.tool(job)
         values = self.values(job, tool, bool(found.used))
-        operation = api.add_operation(job, self.cycle, tool=tool, drawings=found.used, **values)
+        if found.used:  # some operations of a lathe have no place for any
+            values = {**values, "drawings": found.used}
+        operation = api.add_operation(job, self.cycle, tool=tool, **values)
         operation.Proxy.unused = found.refusals
         return labelled(operation, tr(self.label))
 

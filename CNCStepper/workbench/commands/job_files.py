@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
@@ -77,9 +76,9 @@ class Report(Command):
     )
 
     def why_not(self) -> str:
-        """Return why there is no job of milling or sheets with a program."""
+        """Return why there is no job with a program."""
         no_job = missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
-        return no_job or targets.why_not_by_process(tuple(PROCESSES)) or targets.why_no_program(targets.job())
+        return no_job or targets.why_no_program(targets.job())
 
     def run(self) -> None:
         """Ask for the file, write it, and open it."""

@@ -80,7 +80,9 @@ class TurningOperation(Operation):
         """Return the new operation of the job; raises a CNCStepperError that says why a profile cannot be followed."""
         from CNCStepper.workbench.features.catalogue import operation_class
 
-        if operation_class(self.cycle).FOLLOWS and not pairs:  # type: ignore[attr-defined]
+        if not operation_class(self.cycle).FOLLOWS:  # type: ignore[attr-defined]
+            return super().add(job, [], False)
+        if not pairs:
             before = [drawings_of(each) for each in job.Operations]
             pairs = list(next(filter(None, reversed(before)), ()))
         return super().add(job, pairs, is_drawn)

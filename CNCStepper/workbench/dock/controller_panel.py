@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import FreeCADGui
 from PySide import QtCore, QtGui
@@ -33,6 +33,8 @@ from CNCStepper.workbench.dock.views.relay_view import RelayView
 from CNCStepper.workbench.dock.views.retract_view import RetractView
 from CNCStepper.workbench.dock.views.send_steps_view import FlowView
 from CNCStepper.workbench.dock.views.state_view import PositionView, StateView
+from CNCStepper.workbench.document.machine_of_job import profile_of
+from CNCStepper.workbench.features.program import job_behind
 from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.proving.latest_proof import Sender
 from CNCStepper.workbench.services import messages, sounds
@@ -41,6 +43,9 @@ from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.plain_words import plain
 from CNCStepper.workbench.services.sounds import BEYOND, END
 from CNCStepper.workbench.services.translation import tr
+
+if TYPE_CHECKING:
+    from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
 
 POLL_MS = 50
 WIDTH, ROOM = 320, 20
@@ -138,6 +143,13 @@ class Panel(KeyboardArea):
         self.sending.forget()
         self.log.say("message", tr("Attached again to the controller at {0}.").format(plain(self.link.port)))
         self.refresh()
+
+    def send(self, program: Any, place: RestartPlace | None = None) -> None:
+        """Begin to send a program, or its restart at a place, to its job's machine unless another one is connected."""
+        job = job_behind(program)
+        self.connection.choose_machine(profile_of(job.Machine, job))
+        self.relays.show_machine(self.connection.profile)
+        self.sending.send(program, place)
 
     def connect_chosen(self) -> None:
         """Begin to connect to the port that is chosen, and remember it."""

@@ -109,7 +109,7 @@ def open_dock() -> Any:
 
 def send(job: Any, place: RestartPlace | None = None) -> None:
     """Show the dock in front and begin to send a job object, or its restart at a place."""
-    open_dock().widget().sending.send(job, place)
+    open_dock().widget().send(job, place)
 
 
 def open_unless_connected() -> None:

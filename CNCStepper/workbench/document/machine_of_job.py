@@ -28,9 +28,14 @@ def _machine_named(obj: Any) -> Machine:
 
 def machine_named(name: str, obj: Any) -> Machine:
     """Return the machine of a name as a job object would have it; raises JobError where there is none."""
-    if name not in profile_names() and obj.Document.FileName:
-        name = str(Path(obj.Document.FileName).parent / name)
+    name = profile_of(name, obj)
     return _machine(name, obj.Dialect, file_stamp(str(own_path(name) or name)))
+
+
+def profile_of(name: str, obj: Any) -> str:
+    """Return a profile's name as it is, or its file from the folder of a job object's document."""
+    is_file = name not in profile_names() and obj.Document.FileName
+    return str(Path(obj.Document.FileName).parent / name) if is_file else name
 
 
 @functools.lru_cache(maxsize=16)

@@ -355,19 +355,36 @@ class CheckField(Field):
         self.editors[0].setChecked(value_of(self.obj, self.entry))
 
 
+class ChoiceBox(QtGui.QComboBox):
+    """A box whose open list is as wide as its longest choice."""
+
+    def showPopup(self) -> None:
+        """Open the list; Qt calls this."""
+        view = self.view()
+        view.setMinimumWidth(view.sizeHintForColumn(0) + view.verticalScrollBar().sizeHint().width())
+        super().showPopup()
+
+
 class ChoiceField(Field):
     """One of several values, each with its words."""
 
     def make(self) -> list[Any]:
         """Add the box to choose from."""
-        box = self.add(QtGui.QComboBox(self.widget))
+        box = self.add(ChoiceBox(self.widget))
         box.setSizeAdjustPolicy(QtGui.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         box.setMinimumContentsLength(5)
         box.setSizePolicy(QtGui.QSizePolicy.Policy.Expanding, QtGui.QSizePolicy.Policy.Fixed)
         self.values: list[Any] = []
         self.fill(box)
+        box.currentIndexChanged.connect(lambda _: self._explain())
         box.activated.connect(lambda _: self.touched())
         return [box]
+
+    def _explain(self) -> None:
+        """Say the choice in the tooltip too: a narrow panel shows its front."""
+        super()._explain()
+        box = self.editors[0]
+        box.setToolTip("\n".join(filter(None, (box.currentText(), tr(self.entry.text)))))
 
     def choices(self) -> list[tuple[Any, str]]:
         """Return the values and their words, in order."""

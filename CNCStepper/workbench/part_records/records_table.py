@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The table of measured parts: four columns to type or paste into, and what is worked out of them beside.
 
-A row is added by typing into the empty one at the end.
+A row is added by typing into the empty one at the end, until there are MOST_PARTS.
 """
 
 from __future__ import annotations
@@ -10,10 +10,20 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.machine.part_record_table import DECIMALS, FIGURES, MEASURED, Judged, figures_of, judged, rows_of_text
+from CNCStepper.machine.part_record_table import (
+    DECIMALS,
+    FIGURES,
+    MEASURED,
+    MOST_PARTS,
+    Judged,
+    figures_of,
+    judged,
+    require_few,
+    rows_of_text,
+)
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.messages import polled
+from CNCStepper.workbench.services.messages import guarded, polled
 from CNCStepper.workbench.services.translation import later, tr
 
 ROLE = QtCore.Qt.ItemDataRole
@@ -66,8 +76,10 @@ class RecordsModel(QtCore.QAbstractTableModel):
         self._renew()
 
     def paste(self, text: str, row: int, column: int) -> None:
-        """Put the cells of a text in place of those from (row, column) on."""
-        for place, cells in enumerate(rows_of_text(text), start=row):
+        """Put the cells of a text in place of those from (row, column) on; raises JobError for too many."""
+        pasted = rows_of_text(text)
+        require_few(row + len(pasted))
+        for place, cells in enumerate(pasted, start=row):
             while len(self.rows) <= place:
                 self.rows.append(_empty())
             for at, cell in enumerate(cells[: len(MEASURED) - column], start=column):
@@ -83,14 +95,14 @@ class RecordsModel(QtCore.QAbstractTableModel):
 
     def filled(self) -> list[list[str]]:
         """Return the rows without the empty one at the end."""
-        return self.rows[:-1]
+        return self.rows if any(self.rows[-1]) else self.rows[:-1]
 
     def first_problem(self) -> str:
         """Return the first cell that is wrong with its sentence, or the first row that is not whole, or ""."""
         if self.judged.problems:
             (row, column), sentence = min(self.judged.problems.items())
             return f"{row + 1}, {tr(HEADINGS[COLUMNS[column]])}: {translated(sentence)}"
-        for row, record in enumerate(self.judged.records[:-1]):
+        for row, record in enumerate(self.judged.records[: len(self.filled())]):
             if record is None:
                 return tr("{0}: type a height and three diameters").format(row + 1)
         return ""
@@ -98,6 +110,7 @@ class RecordsModel(QtCore.QAbstractTableModel):
     def _renew(self) -> None:
         self.beginResetModel()
         self.rows = [row for row in self.rows if any(row)] + [_empty()]
+        del self.rows[MOST_PARTS:]
         self.judged = judged(self.rows, *self.nominal)
         self.endResetModel()
         self.typed.emit()
@@ -140,7 +153,7 @@ class RecordsModel(QtCore.QAbstractTableModel):
     def setData(self, index: Any, value: Any, role: int = ROLE.EditRole) -> bool:
         """Put what was typed into its row; a row that was empty gets another empty one below it."""
         self.rows[index.row()][index.column()] = str(value).strip()
-        if any(self.rows[-1]):
+        if any(self.rows[-1]) and len(self.rows) < MOST_PARTS:
             self.beginInsertRows(NO_PARENT, len(self.rows), len(self.rows))
             self.rows.append(_empty())
             self.endInsertRows()
@@ -176,7 +189,7 @@ class RecordsTable(QtGui.QTableView):
         self.horizontalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeMode.Stretch)
 
     def paste(self) -> None:
-        """Put the clipboard's cells from the current one on."""
+        """Put the clipboard's cells from the current one on; raises JobError for more than the table takes."""
         here = self.currentIndex()
         row, column = (here.row(), here.column()) if here.isValid() else (self.model().rowCount() - 1, 0)
         if column < len(MEASURED):
@@ -194,7 +207,7 @@ class RecordsTable(QtGui.QTableView):
     def keyPressEvent(self, event: Any) -> None:
         """Take the keys of a spreadsheet; Qt calls this."""
         if event.matches(QtGui.QKeySequence.StandardKey.Paste):
-            self.paste()
+            guarded(self.paste)()
         elif event.matches(QtGui.QKeySequence.StandardKey.Copy):
             self.copy()
         elif event.matches(QtGui.QKeySequence.StandardKey.Delete):

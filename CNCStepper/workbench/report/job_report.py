@@ -17,6 +17,8 @@ from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.calculation.cut_process import CutRequest, process
 from CNCStepper.workbench.document.operation_order import active_operations
 from CNCStepper.workbench.document.preferred_values import program_folder
+from CNCStepper.workbench.features.base import LATHE_JOB, proxy_type
+from CNCStepper.workbench.features.program_job import part_of
 from CNCStepper.workbench.panels.tools.tool_words import tree_words
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.choice_labels import words_of
@@ -73,16 +75,25 @@ def write(job: Any, path: str, written: Callable[[str], None]) -> None:
 
 def facts_of(job: Any) -> Facts:
     """Return the name and value of each fact of a job, in the user's language."""
-    size = " × ".join(f"{length:g}" for length in job.StockSize)
     facts = [
         (tr("Document"), Path(job.Document.FileName).name or str(job.Document.Label)),
         (tr("Machine"), str(job.Machine)),
         (tr("Process"), words_of(job.Process)),
         (tr("Material"), words_of(job.Material) if job.Material else tr("not given")),
-        (tr("Stock"), f"{words_of(job.StockForm)} {size} mm"),
+        (tr("Stock"), f"{words_of(job.StockForm)} {stock_words(job)} mm"),
     ]
+    if job.ProgramParts > 1:
+        facts.append((tr("Program"), tr("{0} of {1}").format(part_of(job, job.ProgramParts), job.ProgramParts)))
     used = list(dict.fromkeys(operation.Tool for operation in active_operations(job)))
     return [*facts, (tr("Tools"), ", ".join(map(tree_words, used)))]
+
+
+def stock_words(job: Any) -> str:
+    """Return the sizes of a job's stock in mm: of a lathe's bar its diameter, a tube's bore, and its whole length."""
+    if proxy_type(job) != LATHE_JOB:
+        return " × ".join(f"{length:g}" for length in job.StockSize)
+    bore = f" / {float(job.Bore):g}" if job.StockForm == "tube" else ""
+    return f"Ø {float(job.Diameter):g}{bore} × {float(job.Length) + float(job.FaceStock):g}"
 
 
 def operations_of(job: Any) -> Facts:

@@ -15,13 +15,19 @@ def open_restart(program: Any, send: Sender, line: int = 0, said: Sequence[tuple
 
     send: is given the program and the place that were chosen. line: from which it is proposed, 0 for none.
     said: what is known of the job that did not end, a name and its words each, shown on top.
-    Raises JobError when another task panel stands open.
+    Raises JobError when another task panel stands open, and for the program of a lathe.
     """
     import FreeCADGui
 
+    from CNCStepper.errors import JobError
+    from CNCStepper.workbench.features.base import LATHE_JOB, proxy_type
+    from CNCStepper.workbench.features.program import job_behind
     from CNCStepper.workbench.panels.view_task_panel import require_free
     from CNCStepper.workbench.restart.task import RestartTask
 
+    if proxy_type(job_behind(program)) == LATHE_JOB:
+        what = "the program of a lathe cannot be restarted in its middle"
+        raise JobError("restart-lathe", what, advice="set the work zero anew and send it whole")
     require_free()
     task = RestartTask(program, send, line, said)
     FreeCADGui.Control.showDialog(task)

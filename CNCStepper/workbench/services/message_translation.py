@@ -107,12 +107,12 @@ def _advice(english: str) -> str:
 
 
 def _numbers(english: str) -> str:
-    """Return "value X60, limit at most 50 mm", or one of the two, translated; a value stays as it stands."""
+    """Return "value X60, limit at most 50 mm", or one of the two, translated as far as they are known."""
     from CNCStepper.workbench.services.translation import tr
 
     value, _, limit = f", {english}".partition(", limit ")
     value = value.removeprefix(", value ")
-    said = [tr("value {0}").format(value)] if value else []
+    said = [tr("value {0}").format(_known(value) or value)] if value else []
     return ", ".join([*said, tr("limit {0}").format(_known(limit) or limit)] if limit else said)
 
 

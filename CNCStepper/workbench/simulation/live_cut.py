@@ -18,6 +18,7 @@ from CNCStepper.simulation.tip_follower import ReportedPath, TipFollower
 from CNCStepper.workbench.proving.proof_process import ProofResult
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.object_observers import ProgramObserver
+from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.simulation import coin_nodes as nodes
 from CNCStepper.workbench.simulation.player import Player
 from CNCStepper.workbench.simulation.scene import Scene
@@ -120,8 +121,11 @@ class LiveCut(QtCore.QObject):
 
 
 def live_cut(program: Any, result: Any, parent: Any) -> LiveCut | None:
-    """Return the cut of a program shown in a 3D view of its document; None for a lathe's, or without such a view."""
+    """Return the cut of a program shown in a 3D view of its document; None without such a view, or with a note."""
     view = view_of(program.Document)
-    if view is None or not isinstance(result, ProofResult):
+    if view is None:
+        return None
+    if not isinstance(result, ProofResult):
+        messages.note(tr("The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment."))
         return None
     return LiveCut(program, result, view, parent)

@@ -9,7 +9,17 @@ import statistics
 import pytest
 
 from CNCStepper.errors import JobError
-from CNCStepper.machine.part_record_table import FIGURES, MEASURED, csv_text, judged, read_csv, rows_of_text
+from CNCStepper.machine.part_record_table import (
+    FIGURES,
+    MEASURED,
+    MOST_BYTES,
+    MOST_PARTS,
+    NOMINAL,
+    csv_text,
+    judged,
+    read_csv,
+    rows_of_text,
+)
 
 PARTS = [["150,02", "49.98", "50.01", "50.00"], ["149.97", "50.03", "50.02", "49.99"]]
 
@@ -31,6 +41,11 @@ def test_commas_between_and_commas_in_numbers():
     assert rows_of_text("150.02, 49.98, 50.01, 50.00") == [["150.02", "49.98", "50.01", "50.00"]]
     assert rows_of_text("150,50,50,50") == [["150", "50", "50", "50"]]
     assert rows_of_text("a\n\n;;\n") == []
+
+
+def test_a_text_that_is_longer_than_any_table_is_not_looked_through():
+    with pytest.raises(JobError, match="too long for a table"):
+        rows_of_text("150\n" * (MOST_BYTES // 4 + 1))
 
 
 def test_cells_that_are_no_reading_are_named_and_their_rows_left_out():
@@ -58,8 +73,12 @@ def test_a_file_holds_the_figures_and_is_read_back(tmp_path):
     [
         ("", "no file of part records"),
         ("part,height_mm\n1,150\n", "no file of part records"),
-        (",".join((*MEASURED, "nominal_height_mm,nominal_diameter_mm")) + "\n1,2,3,4,x,50\n", "'x' is no number"),
-        (",".join((*MEASURED, "nominal_height_mm,nominal_diameter_mm")) + "\n1,2,3,4,0,50\n", "out of range"),
+        (",".join((*MEASURED, *NOMINAL)) + "\n1,2,3,4,x,50\n", "'x' is no number"),
+        (",".join((*MEASURED, *NOMINAL)) + "\n1,2,3,4,0,50\n", "out of range"),
+        (
+            ",".join((*MEASURED, *NOMINAL)) + "\n150,50,50,50,150,50" * (MOST_PARTS + 1),
+            "1001, limit 1000.; make several",
+        ),
     ],
 )
 def test_other_files_are_refused_with_what_is_wrong(tmp_path, text, words):

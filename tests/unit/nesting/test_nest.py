@@ -20,7 +20,7 @@ from helpers.nesting.layout_oracle import complaints
 from helpers.nesting.random_orders import TRAITS, random_order
 
 ORDER_SEEDS = [seed for seed in SEEDS if seed <= 200]
-TIME_S = 0.4
+AMPLE_S, ATTEMPTS = 600.0, 2
 
 
 def test_the_generator_makes_every_hard_case() -> None:
@@ -31,7 +31,8 @@ def test_the_generator_makes_every_hard_case() -> None:
 @pytest.mark.parametrize("seed", ORDER_SEEDS)
 def test_a_random_order_is_nested_without_a_fault(seed: int) -> None:
     order = random_order(seed)
-    layout = nest(order.items, order.sheets, order.spacing, Budget(TIME_S), side_by_side if seed % 2 else None, seed)
+    budget = Budget(AMPLE_S, ATTEMPTS)  # a busy computer takes longer, and leaves no part out
+    layout = nest(order.items, order.sheets, order.spacing, budget, side_by_side if seed % 2 else None, seed)
     assert complaints(order.items, order.sheets, order.spacing, layout) == []
     assert all(unplaced.why for unplaced in layout.unplaced)
     if "full" not in order.traits:

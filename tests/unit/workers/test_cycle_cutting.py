@@ -17,12 +17,16 @@ from CNCStepper.job import request_digest
 from CNCStepper.job.cut_transfer import content_of, machine_content
 from CNCStepper.job.make import cut_operations, make_program
 from CNCStepper.job.model import load_job
+from CNCStepper.job.turning import turning_transfer
+from CNCStepper.job.turning.make_turning import make_turning, turned_moves
+from CNCStepper.job.turning.turning_job import load_turning_job
 from CNCStepper.motion.planner.plan import begun, duration_s
 from CNCStepper.workbench.calculation import result_cache
 from CNCStepper.workbench.services import jit_guard
 from CNCStepper.workers import cycle_cutting
 
 JOB = Path(cycle_cutting.__file__).parents[1] / "workers" / "kernel_warm_up.toml"
+LATHE_JOB = Path(__file__).parents[3] / "examples" / "jobs" / "lathe-cone.toml"
 
 
 @pytest.fixture
@@ -174,3 +178,19 @@ def test_a_question_is_named_by_all_that_it_holds() -> None:
     ]
     assert len(set(names)) == len(names)
     assert asked(1.0, request_digest.Content) == asked(1.0, request_digest.Content)
+
+
+def test_a_report_of_a_lathe_s_job_has_its_operations_times_and_bar(told: list[dict[str, Any]], tmp_path: Path) -> None:
+    job, machine = load_turning_job(LATHE_JOB)
+    title, path = "Shaft", tmp_path / "a.html"
+    text = make_turning(job, machine, title)[0].program
+    of = {"turned_program": turning_transfer.content_of(job, machine), "title": title}
+    rows = [[f"{number}", each.cycle] for number, each in enumerate(job.operation, start=1)]
+    sheet = {"title": title, "text": text, "facts": [], "operations": rows, "together": "Together", "most": 20}
+    answer = ask({"a": {"sheet": {**sheet, "file": str(path)}, "of": of}}, told)["a"]
+    assert answer == {"written": str(path)}
+    page = path.read_text("utf-8")
+    assert re.search(r"turn_rough · \d+(\.\d)? ", page) and "<!-- stock -->" in page and "<!-- Z (mm) -->" in page
+    moves, _ = turned_moves(job, machine)
+    whole_s = duration_s(begun(moves), machine)
+    assert sum(turning_transfer.operation_times_s(job, machine)) == pytest.approx(whole_s)

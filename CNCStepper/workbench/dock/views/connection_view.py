@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from PySide import QtGui
@@ -51,6 +52,7 @@ class ConnectionView(QtGui.QWidget):
         super().__init__()
         self._connect, self._disconnect, self._found = connect, disconnect, found
         self._choices: list[Any] = []
+        self._profile_file = ""  # of the job that is sent, where its profile is not among the names
         self._moment = ControllerSnapshot()
         self.box = widgets.named(FreshBox(self.look), "Port")
         self.box.setEditable(True)
@@ -84,19 +86,26 @@ class ConnectionView(QtGui.QWidget):
 
     @property
     def profile(self) -> str:
-        """The name of the machine profile that is chosen."""
-        return str(self.machine.currentText())
+        """The machine profile that is chosen: its name, or its file where a job has one that is not listed."""
+        return str(self.machine.currentData() or "")
 
-    def look_for_machines(self) -> None:
-        """List the profiles that are there now; the one that was chosen stays."""
-        names = profile_names()
-        if [self.machine.itemText(place) for place in range(self.machine.count())] == names:
-            return
-        wanted = self.profile or settings.last_machine()
+    def choose_machine(self, profile: str) -> None:
+        """Choose a profile for the next connection; while there is a connection its machine stays."""
+        if not self._connected:
+            self._profile_file = "" if profile in profile_names() else profile
+            self.look_for_machines(profile)
+
+    def look_for_machines(self, wanted: str = "") -> None:
+        """List the profiles that are there now; `wanted` is chosen, else what was."""
+        files = [self._profile_file] if self._profile_file else []
+        profiles = [*profile_names(), *files]
+        wanted = wanted or self.profile or settings.last_machine()
         self.machine.blockSignals(True)
-        self.machine.clear()
-        self.machine.addItems(names)
-        self.machine.setCurrentIndex(max(self.machine.findText(wanted), 0))
+        if [self.machine.itemData(place) for place in range(self.machine.count())] != profiles:
+            self.machine.clear()
+            for profile in profiles:
+                self.machine.addItem(Path(profile).name, profile)
+        self.machine.setCurrentIndex(max(self.machine.findData(wanted), 0))
         self.machine.blockSignals(False)
 
     @property

@@ -2,7 +2,7 @@
 """How a tool is named: in lists, and in the tree by what it is until a person names it.
 
 "T2  6 mm  V-bit – Signs" in lists; "T2 V-bit 6 mm 60°" in the tree. Of a lathe's tools "T1 CNMG 120408" and
-"T3 parting 3 mm" in the tree.
+"T3 parting 3 mm" in both.
 """
 
 from __future__ import annotations
@@ -40,17 +40,14 @@ INSERT_CODE = r"(?=[^°]*\d)[A-Z\d./-]+( [A-Z\d./-]+)*"
 
 
 def tool_words(tool: Any) -> str:
-    """Return how a tool is listed: its number, form and diameter, and its own name where it was given one."""
+    """Return how a tool is listed: its number, form and diameter, and its own name where it was given one.
+
+    A lathe's is listed as it stands in the tree.
+    """
     if proxy_type(tool) == TurningTool.Type:
-        return turning_tool_words(tool)
+        return _turning_tree_words(tool)
     own = f" – {tool.Label}" if has_own_name(tool) else ""
     return f"T{tool.Number}  {_text(tool, 'diameter_mm')}  {words_of(tool.ToolShape)}{own}"
-
-
-def turning_tool_words(tool: Any) -> str:
-    """Return how a lathe's tool is listed: its number, insert or size, and kind."""
-    key = {PARTING: "width_mm", DRILL: "diameter_mm"}.get(tool.Kind, "")
-    return f"T{tool.Number}  {_text(tool, key) if key else tool.Insert}  {words_of(tool.Kind)}"
 
 
 def tree_words(tool: Any) -> str:

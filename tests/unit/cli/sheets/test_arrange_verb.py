@@ -35,6 +35,11 @@ def test_a_grid_is_filled_by_one_program(square: Path, tmp_path: Path) -> None:
     assert again.exit_code == 0, "its own program is replaced"
 
 
+def test_a_program_that_is_read_is_not_written(square: Path) -> None:
+    done = run(square, "-o", square)
+    assert "--out would write over one of the programs that are read" in str(done.exception)
+
+
 def test_copies_are_nested_on_a_sheet_or_told(square: Path, tmp_path: Path) -> None:
     done = run(square, "--count", 4, "--sheet", "50,35", "--turn", "--gap", 1, "-o", tmp_path / "sheet.nc")
     assert done.exit_code == 0, done.output
@@ -49,6 +54,8 @@ def test_copies_are_nested_on_a_sheet_or_told(square: Path, tmp_path: Path) -> N
         (("--count", "2", "--at", "0,0"), ""),
         (("--count", "2", "--grid", "1x1"), "usage"),
         (("--at", "0,0", "--grid", "1x1"), "usage"),
+        (("--grid", "1.5x2"), "usage"),
+        (("--gap", "-1"), "usage"),
         (("--at", "0;0"), "usage"),
         (("--at", "nan,0"), "usage"),
     ],

@@ -146,6 +146,9 @@ def test_hostile_items_are_refused_by_name(tmp_path: Path, item: dict, code: str
     assert not (tmp_path / "out").exists()
 
 
+BOW = "[[sheet]]\nsize_mm = [5.0, 5.0]\n[[part]]\npolygon_mm = [[0, 0], [4, 2], [4, 0], [0, 2]]\n"
+
+
 def test_keys_and_sheets_of_an_order_are_checked(tmp_path: Path) -> None:
     path = tmp_path / "order.toml"
     for text, words in (
@@ -153,6 +156,13 @@ def test_keys_and_sheets_of_an_order_are_checked(tmp_path: Path) -> None:
         ("[[sheet]]\n[[part]]\nsize_mm = [1.0, 1.0]\n", "a sheet needs one of size_mm, drawing, strip_height_mm"),
         ("[[sheet]]\nsize_mm = [5.0, 5.0]\n[[part]]\nsize_mm = [1.0, 1.0]\ndiameter_mm = 2.0\n", "a part needs one of"),
         ("[[sheet]]\nsize_mm = [5.0, 5.0]\n[[part]]\ndrawing = 'no.dxf'\n", "no.dxf"),
+        (BOW, "the outline of part 0 crosses itself .value X2 Y1."),
+        (
+            BOW.replace(
+                "[[0, 0], [4, 2], [4, 0], [0, 2]]", "[[0, 0], [4, 0], [4, 2]]\nholes_mm = [[[8, 8], [9, 8], [9, 9]]]"
+            ),
+            "lies beyond its outline",
+        ),
     ):
         path.write_text(text, encoding="utf-8")
         with pytest.raises(JobError, match=words):

@@ -35,6 +35,7 @@ def test_what_is_left_out_is_the_template_s(tmp_path: Path) -> None:
     [
         ("b.dxf,t.toml,,3,1", "b.dxf"),
         (",t.toml,,3,1", ""),
+        ('"a\n.dxf",t.toml,,3,1', "a\\x0a.dxf"),
         ("a.dxf,u.toml,,3,1", "u.toml"),
         ("a.dxf,t.toml,,three,1", "three"),
         ("a.dxf,t.toml,,nan,1", "nan"),
@@ -50,8 +51,9 @@ def test_a_wrong_row_is_told_with_line_value_and_remedy(tmp_path: Path, cells: s
         tmp_path, f"drawing,template,material,thickness_mm,count\na.dxf,t.toml,,3,1\n{cells}\na.dxf,t.toml,,4,2\n"
     )
     assert good.error is None and last.error is None and last.thickness_mm == 4.0
-    assert wrong.error and wrong.error.place and wrong.error.place.line == 3
+    assert wrong.error and wrong.error.place and wrong.error.place.line == 3 + cells.count("\n")
     assert value in wrong.error.value and wrong.error.advice
+    assert wrong.count == (0 if wrong.error.code == "order-count" else 1), "a table shows what was ordered"
 
 
 @pytest.mark.parametrize(

@@ -14,14 +14,18 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from matplotlib.figure import Figure
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, LinkError
+from CNCStepper.job.batch import cluster_workers
 from CNCStepper.job.batch.batch_files import write_tables
 from CNCStepper.job.batch.cluster_workers import ClusterWorkers, require_safe
 from CNCStepper.job.batch.local_workers import LocalWorkers, Workers
-from CNCStepper.job.batch.order_costs import row_figures, total_figures
+from CNCStepper.job.batch.offer import save_offer
+from CNCStepper.job.batch.order_costs import Figures, row_figures, total_figures
 from CNCStepper.job.batch.order_rows import read_rows
 from CNCStepper.job.batch.run_batch import BatchResult, NestOptions, run_batch
+from CNCStepper.job.batch.task_journal import TaskJournal
 from CNCStepper.machine.profile import load_machine
 from helpers.batch.small_orders import WorkersHere, bytes_in, jobs_apart, write_order
 
@@ -70,6 +74,27 @@ def test_facing_edges_of_an_order_are_cut_once(tmp_path: Path) -> None:
     assert "m of cut and" in (tmp_path / "shared" / "order.txt").read_text("utf-8")
 
 
+def test_an_offer_is_the_sum_of_the_prices_that_it_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    texts: list[str] = []
+    monkeypatch.setattr(Figure, "text", lambda self, x, y, text, **style: texts.append(text))
+    order = write_order(tmp_path / "in", [*NESTED[2:], "square.dxf,laser.toml,plywood,,2", "gone.dxf,laser.toml,,3,1"])
+    result = made(order, tmp_path / "out", WorkersHere(), NestOptions((70.0, 50.0), seeds=1, attempts=0))
+    first, second = (round(row.cost or 0.0, 2) for row in row_figures(result)[:2])
+    assert f"{first + second:.2f} EUR" in texts and f"{second:.2f}" in texts
+    assert texts.count("3 mm") == 2 and texts.count("plywood") == 2 and "gone (not offered)" in texts
+    result.unplaced[1] = (1, "no room")
+    save_offer(tmp_path / "offer.pdf", result, "a title", lambda text: {"Total": "Soma"}.get(text, text))
+    assert "Soma" in texts and f"{first:.2f} EUR" in texts
+
+
+def test_prices_in_several_currencies_have_no_sum() -> None:
+    total = Figures(cost=1.0, currency="EUR")
+    total.add(Figures(cost=2.0, currency="EUR"))
+    assert (total.cost, total.currency) == (3.0, "EUR")
+    total.add(Figures(cost=2.0, currency="BRL"))
+    assert (total.cost, total.currency) == (None, "EUR, BRL")
+
+
 def test_a_zero_in_the_middle_keeps_parts_on_their_sheet(tmp_path: Path) -> None:
     result = made(write_order(tmp_path / "in", NESTED[:1], "top-centre"), tmp_path / "out", WorkersHere(), SMALL)
     assert result.is_whole
@@ -113,7 +138,7 @@ def test_what_was_done_before_an_interruption_is_not_done_again(tmp_path: Path, 
     with pytest.raises(KeyboardInterrupt):
         made(order, folder, stopped, SMALL)
     with (folder / "journal.jsonl").open("ab") as journal:
-        journal.write(b'{"key": "torn')  # as a power failure leaves it
+        journal.write(b'{"key": ["odd"], "result": 1, "files": 2}\n{"key": "torn')  # as a power failure leaves it
     again = made(order, folder, rest := WorkersHere(), SMALL)
     assert again.is_whole and again.found == most and again.done == rest.done
     last = made(order, folder, idle := WorkersHere(), SMALL)
@@ -124,6 +149,13 @@ def test_what_was_done_before_an_interruption_is_not_done_again(tmp_path: Path, 
     assert once.done == 1 and bytes_in(folder) == kept
 
 
+def test_a_second_order_waits_for_the_first_one_in_a_folder(tmp_path: Path) -> None:
+    with TaskJournal(tmp_path), pytest.raises(JobError, match="another process"), TaskJournal(tmp_path):
+        pass
+    with TaskJournal(tmp_path):
+        pass
+
+
 def test_files_of_rows_that_are_gone_are_taken_away(tmp_path: Path) -> None:
     order, folder = write_order(tmp_path / "in", jobs_apart(2)), tmp_path / "out"
     made(order, folder, WorkersHere())
@@ -132,13 +164,18 @@ def test_files_of_rows_that_are_gone_are_taken_away(tmp_path: Path) -> None:
     assert not (folder / "job-2-1.nc").exists() and (folder / "job-1-1.nc").exists()
 
 
-def test_a_scheduler_with_two_workers_gives_the_same_bytes(tmp_path: Path) -> None:
+def test_a_scheduler_with_two_workers_gives_the_same_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     distributed = pytest.importorskip("distributed")
     order = write_order(tmp_path / "in", NESTED)
     made(order, tmp_path / "here", WorkersHere(), SMALL)
     options: dict[str, Any] = {"n_workers": 2, "threads_per_worker": 1, "dashboard_address": "127.0.0.1:0"}
     with distributed.LocalCluster(processes=True, host="127.0.0.1", **options) as cluster:
         result = made(order, tmp_path / "there", ClusterWorkers(cluster.scheduler_address), SMALL)
+        monkeypatch.setattr(cluster_workers, "CONNECT_S", 3.0)  # for which a lost scheduler is looked for
+        with pytest.raises(LinkError) as told, ClusterWorkers(cluster.scheduler_address) as workers:
+            cluster.close()  # in the middle
+            list(workers.results([{"kind": "read"}]))
+    assert told.value.code == "cluster-lost" and "same command" in told.value.advice
     assert result.is_whole
     assert bytes_in(tmp_path / "here") == bytes_in(tmp_path / "there")
 
@@ -151,6 +188,9 @@ def test_a_scheduler_with_two_workers_gives_the_same_bytes(tmp_path: Path) -> No
         ("tcp://0.0.0.0:8786", "cluster-open"),
         ("ucx://127.0.0.1:8786", "cluster-address"),
         ("127.0.0.1:8786", "cluster-address"),
+        ("tcp://127.0.0.1", "cluster-address"),
+        ("tcp://127.0.0.1:99999", "cluster-address"),
+        ("tcp://[::1", "cluster-address"),
         ("tls://10.0.0.5:8786", "cluster-keys"),
     ],
 )
