@@ -16461,6 +16461,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Drawing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>EXISTS asks for a parameter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16886,10 +16890,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>PID eq {0}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>Part</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -16485,6 +16485,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>Faca de arrasto</translation>
         </message>
         <message>
+            <source>Drawing</source>
+            <translation>Desenho</translation>
+        </message>
+        <message>
             <source>EXISTS asks for a parameter</source>
             <translation>EXISTS pergunta por um parâmetro</translation>
         </message>
@@ -16911,10 +16915,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>PID eq {0}</source>
             <translation>PID eq {0}</translation>
-        </message>
-        <message>
-            <source>Part</source>
-            <translation>Parte</translation>
         </message>
         <message>
             <source>Parts and signs</source>

@@ -6,12 +6,13 @@ A group is two lines: its code and its value.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
 CODES = 1100  # group codes are below it
+BLOCK = 65_536  # bytes or groups that are looked through at once
 WIDEST = 8  # characters of a code with the blanks around it
 NEWLINE, RETURN, BLANK, TAB, ZERO, NINE = b"\n\r \t09"
 
@@ -32,23 +33,33 @@ class TextColumn(NamedTuple):
         return self.content[self.begin[number] : self.end[number]].rstrip(b"\r")
 
 
+def columns_joined(columns: Sequence[TextColumn]) -> TextColumn:
+    """Return columns of texts of one file, one after the other."""
+    begin, end = (np.concatenate(places) for places in zip(*(column[1:] for column in columns), strict=True))
+    return TextColumn(columns[0].content, begin, end)
+
+
 class GroupText:
     """The groups of a text."""
 
     def __init__(self, content: bytes):
         self._content = content
         self._bytes = np.frombuffer(content, np.uint8)
-        newlines = np.flatnonzero(self._bytes == NEWLINE).astype(np.int32)
-        self._begin = np.empty(len(newlines) + 2, np.int32)  # of each line; the last one is followed by no other
-        self._begin[0], self._begin[-1] = 0, len(content) + 1
-        np.add(newlines, 1, out=self._begin[1:-1])
-        self._lines = len(newlines) + 1
+        self._begin = _line_begins(content)
+        self._lines = len(self._begin) - 1
 
     def codes(self) -> np.ndarray:
-        """Return the code of each group, int32[n]; raises NotSplit where one is no group code."""
+        """Return the code of each group, int16[n]; raises NotSplit where one is no group code."""
         begin, end = self._begin[: self._lines - 1 : 2], self._begin[1 : self._lines : 2] - 1
+        if not len(begin):
+            raise NotSplit
+        blocks = range(0, len(begin), BLOCK)
+        return np.concatenate([self._codes(begin[at : at + BLOCK], end[at : at + BLOCK]) for at in blocks])
+
+    def _codes(self, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
+        """Return the codes in some lines; raises NotSplit as `codes`."""
         codes, digits, ended = np.zeros(len(begin), np.int32), np.zeros(len(begin), bool), np.zeros(len(begin), bool)
-        if not len(begin) or int((end - begin).max()) > WIDEST:
+        if int((end - begin).max()) > WIDEST:
             raise NotSplit
         for column in range(int((end - begin).max())):
             inside = begin + column < end
@@ -61,7 +72,7 @@ class GroupText:
             digits |= is_digit
         if not digits.all() or int(codes.max()) >= CODES:
             raise NotSplit
-        return codes
+        return codes.astype(np.int16)
 
     def value(self, group: int) -> bytes:
         """Return the value of a group as it stands there."""
@@ -82,7 +93,19 @@ class GroupText:
 
     def some(self, kept: np.ndarray) -> bytes:
         """Return the text of the groups for which `kept`, bool[n], is true, and of the line behind the last group."""
-        lines = np.repeat(np.append(kept, True), 2)[: self._lines]
-        edges = np.flatnonzero(np.diff(np.concatenate([[False], lines, [False]]).astype(np.int8)))
+        edges = 2 * np.flatnonzero(np.diff(np.concatenate([[False], kept, [True, False]])))
+        edges[-1] = self._lines
         runs = zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
         return b"\n".join(self._content[self._begin[first] : self._begin[last] - 1] for first, last in runs)
+
+
+def _line_begins(content: bytes) -> np.ndarray:
+    """Return the place of each line, int32[n + 1]; the last one, behind the text, is followed by no other."""
+    signs = np.frombuffer(content, np.uint8)
+    begin = np.empty(content.count(b"\n") + 2, np.int32)
+    begin[0], begin[-1], done = 0, len(content) + 1, 1
+    for first in range(0, len(signs), BLOCK):
+        found = np.flatnonzero(signs[first : first + BLOCK] == NEWLINE)
+        begin[done : done + len(found)] = found + (first + 1)
+        done += len(found)
+    return begin

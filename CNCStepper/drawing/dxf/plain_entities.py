@@ -11,6 +11,7 @@ same drawing. An ordinary entity has its number in the file by its place, anothe
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -18,7 +19,7 @@ from typing import NamedTuple, overload
 
 import numpy as np
 
-from CNCStepper.drawing.dxf.group_text import CODES, GroupText, NotSplit, TextColumn
+from CNCStepper.drawing.dxf.group_text import CODES, GroupText, NotSplit, TextColumn, columns_joined
 from CNCStepper.geometry.curve import LIMIT_MM, Curve
 from CNCStepper.geometry.curve_bundle import Bundle, bundles_joined, runs
 from CNCStepper.geometry.curve_columns import STRAIGHT_MM
@@ -38,6 +39,8 @@ MEANT = {  # group codes beside ALWAYS
 }
 NEEDED = {LINE: (8, 10, 20, 11, 21), ARC: (8, 10, 20, 40, 50, 51), CIRCLE: (8, 10, 20, 40), POLYLINE: (8, 10, 20, 70)}
 REPEATED = (0, 100)
+PARTS = (b"VERTEX", b"SEQEND", b"ATTRIB")  # of the entity before them
+BLOCK = 4_096  # entities that are taken apart at once
 OF_VERTEX = (10, 20, 40, 41, 42, 91)
 AFTER = {20: 10, 30: 20, 21: 11, 31: 21, 220: 210, 230: 220}  # a coordinate and the one right before it
 NUMBERS = (10, 20, 30, 11, 21, 31, 38, 40, 41, 42, 50, 51, 62, 70, 420)
@@ -120,7 +123,52 @@ def split_text(content: bytes) -> SplitText:
     text = GroupText(content)
     codes = text.codes()
     first, last = _section(codes, text)
-    return _Entities(codes[first:last], text, first).split(len(codes))
+    starts = first + np.flatnonzero(codes[first:last] == 0)
+    if starts[0] != first:
+        raise NotSplit  # the entities do not begin with one
+    edges = [*starts[::BLOCK].tolist(), last]
+    blocks = [_Entities(codes[begin:end], text, begin).found() for begin, end in itertools.pairwise(edges)]
+    if not any(block.ordinary.any() for block in blocks):
+        raise NotSplit  # there are no ordinary entities
+    kept = np.ones(len(codes), bool)
+    kept[first:last] = np.repeat(~np.concatenate([block.ordinary for block in blocks]), np.diff(starts, append=last))
+    return SplitText(_plain(blocks), text.some(kept), _numbers_by_handle(blocks))
+
+
+def _plain(blocks: Sequence[_Found]) -> PlainEntities:
+    """Return the ordinary entities of blocks of BLOCK entities as one sequence."""
+    numbers = np.concatenate([BLOCK * place + block.numbers for place, block in enumerate(blocks)])
+    of_all = [block.texts for block in blocks]
+    texts = _Texts(
+        np.concatenate([texts.kinds for texts in of_all]),
+        columns_joined([texts.layers for texts in of_all]),
+        columns_joined([texts.handles for texts in of_all]),
+        np.concatenate([texts.colour_index for texts in of_all]),
+        np.concatenate([texts.true_colour for texts in of_all]),
+    )
+    return PlainEntities(numbers, bundles_joined([block.curves for block in blocks]), texts)
+
+
+def _numbers_by_handle(blocks: Sequence[_Found]) -> dict[str, int]:
+    """Return the number of each other entity by its handle; raises NotSplit where one has no handle of its own."""
+    numbers: dict[str, int] = {}
+    for place, block in enumerate(blocks):
+        for number in np.flatnonzero(~block.ordinary).tolist():
+            handle = block.texts.handles.of(number).decode("ascii", "replace").upper()
+            if block.words[number] not in PARTS and (not handle or handle in numbers):
+                raise NotSplit
+            numbers[handle] = BLOCK * place + number
+    return numbers
+
+
+class _Found(NamedTuple):
+    """What a block of entities holds: which are ordinary, their numbers in it and curves; words and texts of all."""
+
+    ordinary: np.ndarray
+    numbers: np.ndarray
+    curves: Bundle
+    words: list[bytes]
+    texts: _Texts
 
 
 def _section(codes: np.ndarray, text: GroupText) -> tuple[int, int]:
@@ -138,7 +186,7 @@ def _section(codes: np.ndarray, text: GroupText) -> tuple[int, int]:
 
 
 class _Entities:
-    """The groups of the entities as columns: code, value, and the number of the entity that each belongs to."""
+    """The groups of some entities as columns: code, value, and the number of the entity that each belongs to."""
 
     def __init__(self, codes: np.ndarray, text: GroupText, first: int):
         self._codes, self._text, self._first = codes, text, first
@@ -149,25 +197,12 @@ class _Entities:
         self._count = len(self._words)
         self._parsed: dict[int, tuple[np.ndarray, np.ndarray]] = {}
 
-    def split(self, groups: int) -> SplitText:
-        """Return the ordinary ones and the rest of a text of so many groups."""
-        if self._codes[0] != 0:
-            raise NotSplit  # the entities do not begin with one
+    def found(self) -> _Found:
+        """Return the ordinary ones, and the texts of all."""
         ordinary = self._ordinary()
-        handles = self._texts(5)
-        numbers: dict[str, int] = {}
-        for number in np.flatnonzero(~ordinary).tolist():
-            handle = handles.of(number).decode("ascii", "replace").upper()
-            if self._words[number] not in (b"VERTEX", b"SEQEND", b"ATTRIB") and (not handle or handle in numbers):
-                raise NotSplit  # an entity has no handle of its own
-            numbers[handle] = number
-        if not ordinary.any():
-            raise NotSplit  # there are no ordinary entities
         colours = self._column(62, 256.0), self._column(420, -1.0)
-        texts = _Texts(self._kinds, self._texts(8), handles, *colours)
-        kept = np.ones(groups, bool)
-        kept[self._first : self._first + len(self._owner)] = ~ordinary[self._owner]
-        return SplitText(PlainEntities(*self._curves(ordinary), texts), self._text.some(kept), numbers)
+        texts = _Texts(self._kinds, self._texts(8), self._texts(5), *colours)
+        return _Found(ordinary, *self._curves(ordinary), self._words, texts)
 
     def _values(self, at: np.ndarray) -> Iterable[bytes]:
         return self._text.values(at + self._first)

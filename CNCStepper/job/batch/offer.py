@@ -26,14 +26,14 @@ from CNCStepper.simulation.views.picture_style import GREY, INK
 A4_INCH = (8.27, 11.69)
 MARGIN_INCH, LINE_INCH = 0.8, 0.24
 ROWS_A_PAGE = 32
-LONGEST, LONGEST_UNOFFERED, LONGEST_MATERIAL = 34, 18, 16  # characters
+LONGEST, LONGEST_UNOFFERED, LONGEST_MATERIAL = 30, 18, 16  # characters
 TITLES = ((38, 18.0), (60, 11.5))  # characters of a title, and the size of their letters
 COLUMNS = (  # title, place of its end in inches, or of its begin where the text is on its left
-    (Text("Part"), 0.8, "left"),
-    (Text("Material"), 3.6, "left"),
-    (Text("Thickness"), 5.2, "right"),
-    (Text("Count"), 5.85, "right"),
-    (Text("Each"), 6.6, "right"),
+    (Text("Drawing"), 0.8, "left"),
+    (Text("Material"), 3.3, "left"),
+    (Text("Thickness"), 5.05, "right"),
+    (Text("Count"), 5.95, "right"),
+    (Text("Each"), 6.7, "right"),
     (Text("Price"), 7.47, "right"),
 )
 Cells = tuple[str, ...]

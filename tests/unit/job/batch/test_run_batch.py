@@ -81,7 +81,7 @@ def test_an_offer_is_the_sum_of_the_prices_that_it_names(tmp_path: Path, monkeyp
     result = made(order, tmp_path / "out", WorkersHere(), NestOptions((70.0, 50.0), seeds=1, attempts=0))
     first, second = (round(row.cost or 0.0, 2) for row in row_figures(result)[:2])
     assert f"{first + second:.2f} EUR" in texts and f"{second:.2f}" in texts
-    assert texts.count("3 mm") == 1 and texts.count("plywood") == 2 and "gone (not offered)" in texts
+    assert texts.count("3 mm") == 2 and texts.count("plywood") == 2 and "gone (not offered)" in texts
     result.unplaced[1] = (1, "no room")
     save_offer(tmp_path / "offer.pdf", result, "a title", lambda text: {"Total": "Soma"}.get(text, text))
     assert "Soma" in texts and f"{first:.2f} EUR" in texts
