@@ -17441,6 +17441,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a left-hand insert comes from the end of the profile, which lies below the bar's surface</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a left-hand {kind} tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17733,6 +17737,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a profile is cut by an insert, in a bore and on a cone by a right-hand one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a profile is made of edges</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17834,6 +17842,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a request without the session's token</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a right-hand insert</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21257,6 +21269,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>let the profile end at the bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let z never rise along it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22825,10 +22841,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>profiles are turned towards the chuck with a right-hand insert</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>programs are not written in the dialect {dialect}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22902,6 +22914,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>radius at its end 0 mm or more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>radius {0} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -17465,6 +17465,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma entrada ou um corte atravessa uma peça</translation>
         </message>
         <message>
+            <source>a left-hand insert comes from the end of the profile, which lies below the bar's surface</source>
+            <translation>uma pastilha esquerda vem do fim do perfil, que está abaixo da superfície da barra</translation>
+        </message>
+        <message>
             <source>a left-hand {kind} tool</source>
             <translation>uma ferramenta de {kind} à esquerda</translation>
         </message>
@@ -17757,6 +17761,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um processo nosso tem a porta de uma máquina, mas seu arquivo {path} não pode ser lido: {error}</translation>
         </message>
         <message>
+            <source>a profile is cut by an insert, in a bore and on a cone by a right-hand one</source>
+            <translation>um perfil é cortado por uma pastilha, em um furo e em um cone por uma direita</translation>
+        </message>
+        <message>
             <source>a profile is made of edges</source>
             <translation>um perfil é feito de arestas</translation>
         </message>
@@ -17859,6 +17867,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a request without the session's token</source>
             <translation>um pedido sem a chave da sessão</translation>
+        </message>
+        <message>
+            <source>a right-hand insert</source>
+            <translation>uma pastilha direita</translation>
         </message>
         <message>
             <source>a right-hand turning tool</source>
@@ -21281,6 +21293,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>deixe no máximo {length:g} mm para fora, ou apoie a ponta</translation>
         </message>
         <message>
+            <source>let the profile end at the bar</source>
+            <translation>deixe o perfil terminar na superfície da barra</translation>
+        </message>
+        <message>
             <source>let z never rise along it</source>
             <translation>não deixe z subir ao longo dele</translation>
         </message>
@@ -22849,10 +22865,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>process deve ser um texto</translation>
         </message>
         <message>
-            <source>profiles are turned towards the chuck with a right-hand insert</source>
-            <translation>perfis são torneados em direção à placa com uma pastilha direita</translation>
-        </message>
-        <message>
             <source>programs are not written in the dialect {dialect}</source>
             <translation>não se escrevem programas no dialeto {dialect}</translation>
         </message>
@@ -22927,6 +22939,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>radius at its end 0 mm or more</source>
             <translation>raio no fim de 0 mm ou mais</translation>
+        </message>
+        <message>
+            <source>radius {0} mm</source>
+            <translation>raio {0} mm</translation>
         </message>
         <message>
             <source>radius {radius:.4g} mm at z {z:.4g} mm</source>

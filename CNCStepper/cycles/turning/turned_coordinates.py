@@ -27,6 +27,10 @@ class Placement:
         """Return X (a radius), Y and Z of the program for a place of the part."""
         return r_mm - self.zero_r_mm, 0.0, self.z_sign * (z_mm - self.zero_z_mm)
 
+    def mirrored(self) -> Placement:
+        """Return the placement of a part that is the mirror image in z: the program is that of the part itself."""
+        return Placement(-self.zero_z_mm, self.zero_r_mm, -self.z_sign)
+
     def part(self, ends_mm: np.ndarray) -> np.ndarray:
         """Return (z, r) in the part's coordinates of places in the program's, float64[n, 3] to float64[n, 2]."""
         ends = np.asarray(ends_mm, float)

@@ -8,6 +8,7 @@ from typing import Any
 
 from CNCStepper.cycles.turning.axis_drilling import drill_axis
 from CNCStepper.cycles.turning.grooves import groove, part
+from CNCStepper.cycles.turning.left_hand import OUTWARDS, from_the_chuck
 from CNCStepper.cycles.turning.profile_path import finish
 from CNCStepper.cycles.turning.turn_face import face
 from CNCStepper.cycles.turning.turn_rough import rough
@@ -35,7 +36,11 @@ CUT: dict[str, Callable[[Any, TurningSetup, TurningMoves], dict[str, float]]] = 
 def cut(number: int, operation: TurningOperation, setup: TurningSetup, moves: TurningMoves) -> TurningAnswer:
     """Append the moves of one operation and return what it wants; raises CycleError before the first move."""
     _require_tool(operation, setup.tool, setup)
-    figures = CUT[operation.cycle](operation, setup, moves)
+    turned, turning = setup, moves
+    if operation.cycle in BY_EDGE and setup.tool.hand == "left":
+        turned = from_the_chuck(setup)
+        turning = moves.mirrored(turned)
+    figures = CUT[operation.cycle](operation, turned, turning)
     fillets = figures.get("corners_with_fillet", 0.0)
     what = "the nose leaves a fillet of {nose:g} mm in {count:g} inner corners"
     warnings: tuple[str, ...] = (Text(what, nose=setup.tool.nose_mm, count=fillets),) if fillets else ()
@@ -70,8 +75,10 @@ def _require_tool(operation: TurningOperation, tool: TurningTool, setup: Turning
 
 
 def _require_turning_tool(operation: TurningOperation, tool: TurningTool, setup: TurningSetup) -> None:
-    if tool.kind not in ("turning", "boring") or tool.hand == "left":
-        what, limit = "profiles are turned towards the chuck with a right-hand insert", "a turning or boring tool"
+    wrong_hand = tool.hand == "left" and (tool.is_inside or operation.cycle not in OUTWARDS)
+    if tool.kind not in ("turning", "boring") or wrong_hand:
+        what = "a profile is cut by an insert, in a bore and on a cone by a right-hand one"
+        limit = "a right-hand insert" if wrong_hand else "a turning or boring tool"
         raise CycleError("profile-tool", what, value=tool.kind_words, limit=limit, advice="use another tool")
     if operation.cycle == "turn_bore" and not tool.is_inside:
         what, limit = "boring takes a tool for the inside", "a boring bar"

@@ -36,9 +36,16 @@ class TurningMoves:
         self._table, self._placement, self._setup = table, placement, setup
         self.side = -1.0 if setup.tool.is_inside else 1.0
         self._nose = setup.tool.nose_centre
+        self._has_cycles = True  # of controllers
         z, r = setup.start
         self.home = (z + self._nose[0], self.side * (r + self._nose[1]))
         self.z_mm, self.r_mm = self.home
+
+    def mirrored(self, setup: TurningSetup) -> TurningMoves:
+        """Return the moves of a setup that is the mirror image in z, of the same program; no cycle goes that way."""
+        moves = TurningMoves(self._table, self._placement.mirrored(), setup)
+        moves._has_cycles = False
+        return moves
 
     def tip(self, z_mm: float, r_mm: float) -> tuple[float, float]:
         """Return where the nose's centre is, in the frame, with the control point at a place of the part."""
@@ -83,7 +90,7 @@ class TurningMoves:
 
     def open_cycle(self, name: str, words: dict[str, float]) -> None:
         """Begin the span of a cycle."""
-        self._table.open_span("turning_cycle", name, **words)
+        self._table.open_span("turning_cycle", name if self._has_cycles else "", **words)
 
     def open_profile(self) -> None:
         """Begin the span of a cycle's profile within that of the cycle."""

@@ -30,6 +30,7 @@ from CNCStepper.quantities import Bounds, ChipLoadOr0, SpeedOr0, TipAngle, ToolN
 
 Kind = Literal["turning", "boring", "parting", "drill", "threading"]
 Hand = Literal["right", "left"]
+OTHER_HAND: dict[Hand, Hand] = {"right": "left", "left": "right"}
 KINDS: dict[Kind, Text] = {
     "turning": Text("turning"),
     "boring": Text("boring"),
@@ -42,6 +43,7 @@ Outline = tuple[Vertex, ...]
 
 CENTRES = {1: (-1, 1), 2: (1, 1), 3: (1, -1), 4: (-1, -1), 5: (-1, 0), 6: (0, 1), 7: (1, 0), 8: (0, -1), 9: (0, 0)}
 LEAD_DEG = 95.0  # the entering angle of the usual holders
+MIRRORED = {1: 2, 2: 1, 3: 4, 4: 3, 5: 7, 7: 5}  # orientations that a mirror in z exchanges
 DRILL_POINT_DEG = 118.0
 PLAIN_EDGE_MM = 10.0  # of an insert that is given by its angles alone
 SHANK_REACH_MM = 60.0  # how much of a shank or a bar the outline shows where reach_mm is not given
@@ -196,6 +198,15 @@ class TurningTool(BaseModel):
         """The centre (z, r) of the nose from the control point, mm."""
         z, r = CENTRES[self.tip]
         return z * self.nose_mm, r * self.nose_mm
+
+    def mirrored(self) -> TurningTool:
+        """Return the tool of the other hand: its mirror image in z."""
+        angles = {key: None if angle is None else 180.0 - angle for key, angle in self._given_edges()}
+        tip = None if self.orientation is None else MIRRORED.get(self.orientation, self.orientation)
+        return self.model_copy(update={"hand": OTHER_HAND[self.hand], "orientation": tip, **angles})
+
+    def _given_edges(self) -> tuple[tuple[str, float | None], ...]:
+        return ("front_deg", self.front_deg), ("back_deg", self.back_deg)
 
     @property
     def words(self) -> str:

@@ -46,7 +46,9 @@ BY_CODE = {  # of errors that speak of several keys
     "face-outside": "to_z_mm",
     "face-diameter": "to_diameter_mm",
     "surface-speed": "constant_surface_speed",
-    **dict.fromkeys(("profile-outside", "profile-begin", "profile-chuck", "bore-wide", "bore-deep"), "drawings"),
+    **dict.fromkeys(
+        ("profile-outside", "profile-begin", "profile-end", "profile-chuck", "bore-wide", "bore-deep"), "drawings"
+    ),
     **dict.fromkeys(("profile-axis", "profile-crossing", "profile-undercut", "profile-several"), "drawings"),
     **dict.fromkeys(("profile-missing", "profile-chains", "profile-closed"), "drawings"),
     "bore-missing": "tool",
