@@ -7023,10 +7023,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>It is your copy of a shipped profile, and is used in its place.</source>
             <translation type="unfinished"></translation>
         </message>

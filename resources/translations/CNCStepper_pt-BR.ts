@@ -7023,10 +7023,6 @@
             <translation>Já é usinada por último</translation>
         </message>
         <message>
-            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
-            <translation>Não se sabe onde a peça está na mesa: referencie a máquina, depois defina o zero de trabalho.</translation>
-        </message>
-        <message>
             <source>It is your copy of a shipped profile, and is used in its place.</source>
             <translation>É a sua cópia de um perfil fornecido, e toma o lugar dele.</translation>
         </message>
