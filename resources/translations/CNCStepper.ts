@@ -3935,6 +3935,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A dot for each part; dashed: the nominal; red: the mean; the band: the standard deviation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A drop: a disc about the zero and a point above.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4472,6 +4476,10 @@
         </message>
         <message>
             <source>As many as can be made at most, in Hz</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>As measured, in mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5287,6 +5295,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Deviation</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Device</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5304,6 +5316,10 @@
         </message>
         <message>
             <source>Diameter and height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Diameter as measured, in mm; of a cone that of its base</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -6407,6 +6423,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Height by the nominal one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Height control</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6428,6 +6448,10 @@
         </message>
         <message>
             <source>Heights</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Heights less the nominal, mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7591,6 +7615,18 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Mean</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mean diameter by the nominal one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Mean diameters less the nominal, mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Meaning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -7871,6 +7907,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Nominal diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Nominal height</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>None</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8036,6 +8080,10 @@
         </message>
         <message>
             <source>Of the stock, in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Of the three diameters, in mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8259,6 +8307,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Part records</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part records: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Parting off</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8288,6 +8344,10 @@
         </message>
         <message>
             <source>Passes along</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Paste</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8647,6 +8707,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Put the cells of a spreadsheet from the chosen cell on: height and three diameters in each row</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Put the stock around the selection, or around the drawings of the operations</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8716,6 +8780,16 @@
         </message>
         <message>
             <source>Ratchet wheel</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ratio of
+the diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Ratio of
+the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9027,6 +9101,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Save plots…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Save program as…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9048,6 +9126,10 @@
         </message>
         <message>
             <source>Saved {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save…</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9299,6 +9381,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shows the records of a CSV file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Shows the same program as this machine's controller reads it: M6 becomes the machine's tool change</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9484,6 +9570,10 @@
         </message>
         <message>
             <source>Squareness</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Standard deviation of the three diameters, in mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10563,6 +10653,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>These records have changes that are not saved. Discard them?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>These tables have changes that are not saved: {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11339,6 +11433,14 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Writes all as a CSV file, which spreadsheets open</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Writes both plots as a picture</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Writes the text into a file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11804,6 +11906,18 @@
         </message>
         <message>
             <source>cylinder</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>d1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>d2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>d3</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12795,6 +12909,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0} cannot be written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0} direction</source>
             <translation type="unfinished"></translation>
         </message>
@@ -12896,6 +13014,10 @@
         </message>
         <message>
             <source>{0} of {1} lines, line {2} of the file, sent to line {3}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0} of {1} parts: mean {2} mm, standard deviation {3} mm, range {4} mm, ratio {5}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13028,6 +13150,10 @@
         </message>
         <message>
             <source>{0}: its operations are replaced</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: type a height and three diameters</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15864,6 +15990,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>'{part}' in '{line}' says nothing of a corner or an arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{path}' is no file of part records</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20648,6 +20778,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>its first element is no &lt;svg&gt;</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its first line has to name the columns {keys}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30023,6 +30157,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Opens a G-code file in the editor</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_PartRecords</name>
+        <message>
+            <source>Measured parts: height and three diameters, their mean, deviation, ratio, and plots</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Part records…</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

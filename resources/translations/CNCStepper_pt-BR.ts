@@ -3935,6 +3935,10 @@
             <translation>Um disco em torno do zero, cortado reto em cima.</translation>
         </message>
         <message>
+            <source>A dot for each part; dashed: the nominal; red: the mean; the band: the standard deviation</source>
+            <translation>Um ponto por peça; tracejado: o nominal; vermelho: a média; a faixa: o desvio padrão</translation>
+        </message>
+        <message>
             <source>A drop: a disc about the zero and a point above.</source>
             <translation>Uma gota: um disco em torno do zero e uma ponta em cima.</translation>
         </message>
@@ -4473,6 +4477,10 @@
         <message>
             <source>As many as can be made at most, in Hz</source>
             <translation>Quantos podem ser gerados no máximo, em Hz</translation>
+        </message>
+        <message>
+            <source>As measured, in mm</source>
+            <translation>Como foi medida, em mm</translation>
         </message>
         <message>
             <source>As people call the machine</source>
@@ -5287,6 +5295,10 @@
             <translation>Detalhes</translation>
         </message>
         <message>
+            <source>Deviation</source>
+            <translation>Desvio</translation>
+        </message>
+        <message>
             <source>Device</source>
             <translation>Dispositivo</translation>
         </message>
@@ -5305,6 +5317,10 @@
         <message>
             <source>Diameter and height</source>
             <translation>Diâmetro e altura</translation>
+        </message>
+        <message>
+            <source>Diameter as measured, in mm; of a cone that of its base</source>
+            <translation>Diâmetro medido, em mm; no cone o da base</translation>
         </message>
         <message>
             <source>Diameter at Z</source>
@@ -6407,6 +6423,10 @@
             <translation>Altura abaixo do entalhe</translation>
         </message>
         <message>
+            <source>Height by the nominal one</source>
+            <translation>Altura dividida pela nominal</translation>
+        </message>
+        <message>
             <source>Height control</source>
             <translation>Controle de altura</translation>
         </message>
@@ -6429,6 +6449,10 @@
         <message>
             <source>Heights</source>
             <translation>Alturas</translation>
+        </message>
+        <message>
+            <source>Heights less the nominal, mm</source>
+            <translation>Alturas menos a nominal, mm</translation>
         </message>
         <message>
             <source>Held</source>
@@ -7591,6 +7615,18 @@
             <translation>Materiais</translation>
         </message>
         <message>
+            <source>Mean</source>
+            <translation>Média</translation>
+        </message>
+        <message>
+            <source>Mean diameter by the nominal one</source>
+            <translation>Diâmetro médio dividido pelo nominal</translation>
+        </message>
+        <message>
+            <source>Mean diameters less the nominal, mm</source>
+            <translation>Diâmetros médios menos o nominal, mm</translation>
+        </message>
+        <message>
             <source>Meaning</source>
             <translation>Significado</translation>
         </message>
@@ -7871,6 +7907,14 @@
             <translation>Nenhum lugar foi escolhido ainda.</translation>
         </message>
         <message>
+            <source>Nominal diameter</source>
+            <translation>Diâmetro nominal</translation>
+        </message>
+        <message>
+            <source>Nominal height</source>
+            <translation>Altura nominal</translation>
+        </message>
+        <message>
             <source>None</source>
             <translation>Nenhum</translation>
         </message>
@@ -8037,6 +8081,10 @@
         <message>
             <source>Of the stock, in mm</source>
             <translation>Do material bruto, em mm</translation>
+        </message>
+        <message>
+            <source>Of the three diameters, in mm</source>
+            <translation>Dos três diâmetros, em mm</translation>
         </message>
         <message>
             <source>Of the tip below the finished end face</source>
@@ -8259,6 +8307,14 @@
             <translation>Sangrar</translation>
         </message>
         <message>
+            <source>Part records</source>
+            <translation>Registros de peças</translation>
+        </message>
+        <message>
+            <source>Part records: {0}</source>
+            <translation>Registros de peças: {0}</translation>
+        </message>
+        <message>
             <source>Parting off</source>
             <translation>Sangramento</translation>
         </message>
@@ -8289,6 +8345,10 @@
         <message>
             <source>Passes along</source>
             <translation>Passes ao longo de</translation>
+        </message>
+        <message>
+            <source>Paste</source>
+            <translation>Colar</translation>
         </message>
         <message>
             <source>Path</source>
@@ -8647,6 +8707,10 @@
             <translation>Pôr no perfil</translation>
         </message>
         <message>
+            <source>Put the cells of a spreadsheet from the chosen cell on: height and three diameters in each row</source>
+            <translation>Coloca as células de uma planilha a partir da célula escolhida: altura e três diâmetros em cada linha</translation>
+        </message>
+        <message>
             <source>Put the stock around the selection, or around the drawings of the operations</source>
             <translation>Põe o bloco em torno do que está selecionado, ou dos desenhos das operações</translation>
         </message>
@@ -8717,6 +8781,18 @@
         <message>
             <source>Ratchet wheel</source>
             <translation>Roda de catraca</translation>
+        </message>
+        <message>
+            <source>Ratio of
+the diameter</source>
+            <translation>Razão do
+diâmetro</translation>
+        </message>
+        <message>
+            <source>Ratio of
+the height</source>
+            <translation>Razão da
+altura</translation>
         </message>
         <message>
             <source>Reach</source>
@@ -9027,6 +9103,10 @@
             <translation>Guarde ou desfaça esta tabela primeiro</translation>
         </message>
         <message>
+            <source>Save plots…</source>
+            <translation>Salvar gráficos…</translation>
+        </message>
+        <message>
             <source>Save program as…</source>
             <translation>Salvar programa como…</translation>
         </message>
@@ -9049,6 +9129,10 @@
         <message>
             <source>Saved {0}</source>
             <translation>{0} salvo</translation>
+        </message>
+        <message>
+            <source>Save…</source>
+            <translation>Salvar…</translation>
         </message>
         <message>
             <source>Scale…</source>
@@ -9299,6 +9383,10 @@
             <translation>Mostrar o que está guardado</translation>
         </message>
         <message>
+            <source>Shows the records of a CSV file</source>
+            <translation>Mostra os registros de um arquivo CSV</translation>
+        </message>
+        <message>
             <source>Shows the same program as this machine's controller reads it: M6 becomes the machine's tool change</source>
             <translation>Mostra o mesmo programa como o controlador desta máquina o lê: M6 vira a troca de ferramenta da máquina</translation>
         </message>
@@ -9485,6 +9573,10 @@
         <message>
             <source>Squareness</source>
             <translation>Esquadro</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the three diameters, in mm</source>
+            <translation>Desvio padrão dos três diâmetros, em mm</translation>
         </message>
         <message>
             <source>Star</source>
@@ -10563,6 +10655,10 @@
             <translation>Estes perfis têm mudanças não salvas: {0}</translation>
         </message>
         <message>
+            <source>These records have changes that are not saved. Discard them?</source>
+            <translation>Estes registros têm alterações que não foram salvas. Descartá-las?</translation>
+        </message>
+        <message>
             <source>These tables have changes that are not saved: {0}</source>
             <translation>Estas tabelas têm mudanças que não foram guardadas: {0}</translation>
         </message>
@@ -11339,6 +11435,14 @@
             <translation>Gravar {0} no controlador?</translation>
         </message>
         <message>
+            <source>Writes all as a CSV file, which spreadsheets open</source>
+            <translation>Grava tudo num arquivo CSV, que as planilhas abrem</translation>
+        </message>
+        <message>
+            <source>Writes both plots as a picture</source>
+            <translation>Grava os dois gráficos como imagem</translation>
+        </message>
+        <message>
             <source>Writes the text into a file</source>
             <translation>Grava o texto em um arquivo</translation>
         </message>
@@ -11805,6 +11909,18 @@
         <message>
             <source>cylinder</source>
             <translation>cilindro</translation>
+        </message>
+        <message>
+            <source>d1</source>
+            <translation>d1</translation>
+        </message>
+        <message>
+            <source>d2</source>
+            <translation>d2</translation>
+        </message>
+        <message>
+            <source>d3</source>
+            <translation>d3</translation>
         </message>
         <message>
             <source>depth of a peck</source>
@@ -12795,6 +12911,10 @@
             <translation>{0} = 0</translation>
         </message>
         <message>
+            <source>{0} cannot be written</source>
+            <translation>{0} não pode ser gravado</translation>
+        </message>
+        <message>
             <source>{0} direction</source>
             <translation>direção {0}</translation>
         </message>
@@ -12897,6 +13017,10 @@
         <message>
             <source>{0} of {1} lines, line {2} of the file, sent to line {3}</source>
             <translation>{0} de {1} linhas, linha {2} do arquivo, enviado até a linha {3}</translation>
+        </message>
+        <message>
+            <source>{0} of {1} parts: mean {2} mm, standard deviation {3} mm, range {4} mm, ratio {5}</source>
+            <translation>{0} de {1} peças: média {2} mm, desvio padrão {3} mm, amplitude {4} mm, razão {5}</translation>
         </message>
         <message>
             <source>{0} of {1} settings are written.</source>
@@ -13029,6 +13153,10 @@
         <message>
             <source>{0}: its operations are replaced</source>
             <translation>{0}: as operações dele são trocadas</translation>
+        </message>
+        <message>
+            <source>{0}: type a height and three diameters</source>
+            <translation>{0}: digite uma altura e três diâmetros</translation>
         </message>
         <message>
             <source>{0}: {1:g} steps per mm</source>
@@ -15887,6 +16015,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>'{part}' in '{line}' says nothing of a corner or an arc</source>
             <translation>'{part}' em '{line}' não diz nada de um canto nem de um arco</translation>
+        </message>
+        <message>
+            <source>'{path}' is no file of part records</source>
+            <translation>'{path}' não é um arquivo de registros de peças</translation>
         </message>
         <message>
             <source>'{path}' is no file of this library</source>
@@ -20671,6 +20803,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>its first element is no &lt;svg&gt;</source>
             <translation>o seu primeiro elemento não é &lt;svg&gt;</translation>
+        </message>
+        <message>
+            <source>its first line has to name the columns {keys}</source>
+            <translation>a primeira linha tem de nomear as colunas {keys}</translation>
         </message>
         <message>
             <source>its head is no object of JSON</source>
@@ -30046,6 +30182,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Opens a G-code file in the editor</source>
             <translation>Abre um arquivo G-code no editor</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_PartRecords</name>
+        <message>
+            <source>Measured parts: height and three diameters, their mean, deviation, ratio, and plots</source>
+            <translation>Peças medidas: altura e três diâmetros, média, desvio, razão e gráficos</translation>
+        </message>
+        <message>
+            <source>Part records…</source>
+            <translation>Registros de peças…</translation>
         </message>
     </context>
     <context>

@@ -203,9 +203,9 @@ def value_of(text: str, column: Column) -> Any:
     if column.kind == "choice" and text not in column.choices:
         raise ValueError(Text("{key} must be one of: {choices}", key=column.key, choices=", ".join(column.choices)))
     if column.kind == "rows":
-        return tuple(tuple(map(_number, row.split())) for row in text.split(";") if row.strip())
+        return tuple(tuple(map(number_of, row.split())) for row in text.split(";") if row.strip())
     if column.kind in ("number", "whole"):
-        number = _number(text)
+        number = number_of(text)
         if column.kind == "whole" and not number.is_integer():
             raise ValueError(Text("'{text}' is no whole number", text=printable(text, MOST_SHOWN)))
         return int(number) if column.kind == "whole" else number
@@ -238,7 +238,7 @@ def unknown_ending(path: Path, endings: Sequence[str]) -> JobError:
     return JobError("library-kind", Text("'{path}' is no file of this library", path=path.name), advice=advice)
 
 
-def _number(text: str) -> float:
+def number_of(text: str) -> float:
     """Return a number; its one decimal sign is a point or a comma. Raises ValueError with the sentence."""
     if text.count(",") + text.count(".") <= 1:
         try:

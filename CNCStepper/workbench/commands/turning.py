@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of the lathe: a job, a profile by points, and an operation for each turning cycle, in order."""
+"""The commands of the lathe: a job, a profile by points, an operation for each turning cycle, and part records."""
 
 from __future__ import annotations
 
@@ -191,6 +191,26 @@ class TurnThread(TurningOperation):
     label = later("Thread")
 
 
+class PartRecords(Command):
+    """Opens the window of part records."""
+
+    name = "CNCStepper_PartRecords"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_PartRecords", "Part records…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_PartRecords", "Measured parts: height and three diameters, their mean, deviation, ratio, and plots"
+    )
+
+    def why_not(self) -> str:
+        """Return why no table can be read."""
+        return missing_packages.why_not()
+
+    def run(self) -> None:
+        """Open the window."""
+        from CNCStepper.workbench.part_records import open_part_records
+
+        open_part_records()
+
+
 COMMANDS = (
     NewLatheJob,
     TurningProfile,
@@ -203,4 +223,5 @@ COMMANDS = (
     TurnDrill,
     TurnBore,
     TurnThread,
+    PartRecords,
 )
