@@ -3,7 +3,7 @@
 
     bundle   xy, bulge, counts   the curves, one after the other (curve_bundle.py)
     look     int32[c]            layer, colour, groups and filled of each curve: its number in `looks`
-    names    list[str]           the name of each curve
+    names    Names               the name of each curve: its place in one text
 
 A `Chain` is made when it is asked for; its curve is two slices of the columns.
 """
@@ -12,15 +12,32 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Iterable, Iterator, Sequence
-from typing import Any, overload
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 
 from CNCStepper.drawing.drawing import Attributes, Chain, Piece
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.curve_bundle import Bundle, bundle_of, bundles_joined
+from CNCStepper.geometry.curve_bundle import Bundle
 
-BLOCK = 4_096  # curves that are gathered before they become columns
+BLOCK = 4_096  # chains that are made at once where all are gone through
+
+
+class Names(NamedTuple):
+    """Texts as places in one, int32[n] both."""
+
+    content: bytearray  # UTF-8
+    begin: np.ndarray
+    end: np.ndarray
+
+    def of(self, rows: np.ndarray) -> list[str]:
+        """Return the texts of some rows, int64[k]."""
+        places = zip(self.begin[rows].tolist(), self.end[rows].tolist(), strict=True)
+        return [self.content[begin:end].decode("utf-8", "surrogatepass") for begin, end in places]
+
+    def where(self, rows: np.ndarray) -> Names:
+        """Return the texts of some rows, int64[k]."""
+        return Names(self.content, self.begin[rows], self.end[rows])
 
 
 class ChainColumns(Sequence[Chain]):
@@ -28,12 +45,12 @@ class ChainColumns(Sequence[Chain]):
 
     __slots__ = ("_first", "bundle", "look", "looks", "names")
 
-    def __init__(self, bundle: Bundle, look: np.ndarray, looks: Sequence[Attributes], names: Sequence[str]):
+    def __init__(self, bundle: Bundle, look: np.ndarray, looks: Sequence[Attributes], names: Names):
         self.bundle, self.look, self.looks, self.names = bundle, look, looks, names
         self._first = bundle.first
 
     def __len__(self) -> int:
-        return len(self.names)
+        return len(self.look)
 
     @overload
     def __getitem__(self, index: int) -> Chain: ...
@@ -53,51 +70,60 @@ class ChainColumns(Sequence[Chain]):
         """Yield the chains of some rows, int64[k]."""
         xy, bulge, _ = self.bundle
         first, counts = self._first[rows], self.bundle.counts[rows]
-        for row, begin, count, look in zip(
-            rows.tolist(), first.tolist(), counts.tolist(), self.look[rows].tolist(), strict=True
-        ):
+        columns = (column.tolist() for column in (rows, first, counts, self.look[rows]))
+        for row, begin, count, look, name in zip(*columns, self.names.of(rows), strict=True):
             curve = Curve.trusted(xy[begin + row : begin + row + count + 1], bulge[begin : begin + count])
             alike = self.looks[look]
-            yield Chain(curve, Attributes(alike.layer, alike.colour, self.names[row], alike.groups, alike.filled))
+            yield Chain(curve, Attributes(alike.layer, alike.colour, name, alike.groups, alike.filled))
 
     def where(self, rows: np.ndarray, bundle: Bundle) -> ChainColumns:
         """Return other curves with the attributes of some rows, int64[k]."""
-        return ChainColumns(bundle, self.look[rows], self.looks, [self.names[row] for row in rows.tolist()])
+        return ChainColumns(bundle, self.look[rows], self.looks, self.names.where(rows))
 
 
 class ChainGatherer:
-    """Gathers curves one by one, and gives their columns."""
+    """Gathers curves, and gives their columns, which grow in place: no two copies of them are there at once."""
 
     def __init__(self) -> None:
-        self._curves: list[Curve] = []
-        self._blocks: list[Bundle] = []
+        self._xy, self._bulge, self._counts = array("d"), array("d"), array("q")
         self._looks: dict[tuple[Any, ...], int] = {}
         self._look = array("i")
-        self._names: list[str] = []
+        self._names, self._name_ends = bytearray(), array("i")
 
     def __len__(self) -> int:
-        return len(self._names)
+        return len(self._look)
 
     def add(self, curve: Curve, attributes: Attributes) -> None:
         """Add a curve."""
-        look = attributes.layer, attributes.colour, "", attributes.groups, attributes.filled
-        self._curves.append(curve)
-        self._look.append(self._looks.setdefault(look, len(self._looks)))
-        self._names.append(attributes.name)
-        if len(self._curves) >= BLOCK:
-            self._close_block()
+        self._xy.frombytes(curve.xy.astype(float, copy=False).tobytes())
+        self._bulge.frombytes(curve.bulge.astype(float, copy=False).tobytes())
+        self._counts.append(len(curve.bulge))
+        self._add_attributes(attributes)
+
+    def add_bundle(self, bundle: Bundle, attributes: Iterable[Attributes]) -> None:
+        """Add the curves of a bundle, with the attributes of each."""
+        self._xy.frombytes(bundle.xy.tobytes())
+        self._bulge.frombytes(bundle.bulge.tobytes())
+        self._counts.frombytes(bundle.counts.astype(np.int64, copy=False).tobytes())
+        for own in attributes:
+            self._add_attributes(own)
 
     def columns(self) -> ChainColumns:
         """Return all that was added; nothing can be added after."""
-        self._close_block()
-        bundle, self._blocks = bundles_joined(self._blocks), []
+        xy = np.frombuffer(self._xy, float).reshape(-1, 2)
+        bundle = Bundle(xy, np.frombuffer(self._bulge, float), np.frombuffer(self._counts, np.int64))
         looks = [Attributes(*look) for look in self._looks]
-        return ChainColumns(bundle, np.array(self._look, np.int32), looks, self._names)
+        return ChainColumns(bundle, np.frombuffer(self._look, np.int32), looks, self._all_names())
 
-    def _close_block(self) -> None:
-        if self._curves:
-            self._blocks.append(bundle_of(self._curves))
-            self._curves = []
+    def _all_names(self) -> Names:
+        ends = np.frombuffer(self._name_ends, np.int32)
+        return Names(self._names, np.concatenate([[0], ends[:-1]]).astype(np.int32)[: len(ends)], ends)
+
+    def _add_attributes(self, own: Attributes) -> None:
+        look = own.layer, own.colour, "", own.groups, own.filled
+        self._look.append(self._looks.setdefault(look, len(self._looks)))
+        self._names += own.name.encode("utf-8", "surrogatepass")
+        self._name_ends.append(len(self._names))
 
 
 def columns_of(pieces: Iterable[Piece | Chain]) -> ChainColumns:

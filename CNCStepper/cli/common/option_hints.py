@@ -38,12 +38,17 @@ OF_START = ("--work-zero", "--position", "--parameters", "--tool-table", "--sear
 
 
 def show_hints(errors: Iterable[CNCStepperError]) -> None:
-    """Print on standard error, each once, the options that help, and what `add_conversion` has found."""
-    errors = list(errors)
-    found = [text for error in errors for text in getattr(error, "__notes__", ())]
-    for text in dict.fromkeys((*map(_hint, errors), *found)):
-        if text:
-            show_text("hint: {text}", err=True, text=text)
+    """Print on standard error, each once, what `add_option_hint` and `add_conversion` have found."""
+    for text in dict.fromkeys(text for error in errors for text in getattr(error, "__notes__", ())):
+        show_text("hint: {text}", err=True, text=text)
+
+
+def add_option_hint(error: CNCStepperError, context: click.Context) -> None:
+    """Add to a verb's refusal the options that help, where the verb has them."""
+    text = DIALECT if error.code == "not-supported" and "dialect" in error.what else HINTS.get(error.code)
+    options = {option for parameter in context.command.params for option in parameter.opts}
+    if text and options & set(str(text).split()):
+        error.add_note(text)
 
 
 def add_conversion(error: ProgramError, context: click.Context) -> None:
@@ -129,9 +134,3 @@ def _new_name(program: Path, target: str) -> Path:
 def shell_line(words: list[str]) -> str:
     """Return a command as it is pasted into this system's shell."""
     return subprocess.list2cmdline(words) if sys.platform == "win32" else shlex.join(words)
-
-
-def _hint(error: CNCStepperError) -> str:
-    if error.code == "not-supported" and "dialect" in error.what:
-        return DIALECT
-    return HINTS.get(error.code, "")

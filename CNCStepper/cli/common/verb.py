@@ -16,9 +16,9 @@ from typing import Any
 
 import click
 
-from CNCStepper.cli.common.option_hints import add_conversion
+from CNCStepper.cli.common.option_hints import add_conversion, add_option_hint
 from CNCStepper.cli.common.path_types import InputFolder, InputPath, OutputPath, as_typed
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import CNCStepperError, ProgramError
 from CNCStepper.output_files import Input, Output, check_outputs
 
 OVERWRITE = "CNCStepper.overwrite"  # in a context's meta
@@ -46,8 +46,10 @@ class Verb(click.Command):
         _check(outputs, ctx)
         try:
             return super().invoke(ctx)
-        except ProgramError as error:
-            add_conversion(error, ctx)
+        except CNCStepperError as error:
+            add_option_hint(error, ctx)
+            if isinstance(error, ProgramError):
+                add_conversion(error, ctx)
             raise
 
 

@@ -21,7 +21,7 @@ from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_figures, show_findings, write_report
 from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.lathe_options import LatheOptions, lathe_options, show_x_of_file
-from CNCStepper.cli.common.option_hints import add_conversion, show_hints
+from CNCStepper.cli.common.option_hints import add_conversion, add_option_hint, show_hints
 from CNCStepper.cli.common.options import program_argument, read_program
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
@@ -215,10 +215,12 @@ def refusals_of_file(program: Path, start: Start | None, language: str, name: st
 
 def _end_unread(refused: list[ProgramError], program: Path) -> NoReturn:
     """End the command with status 1 and the reason."""
+    context = click.get_current_context()
     for error in refused:
         click.echo(str(error))
+        add_option_hint(error, context)
     show_text("{program}: refused; it cannot be read", program=program)
-    add_conversion(refused[0], click.get_current_context())
+    add_conversion(refused[0], context)
     show_hints(refused)
     sys.exit(1)
 

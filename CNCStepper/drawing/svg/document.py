@@ -122,7 +122,7 @@ class _Parser:
         self._parser.SetParamEntityParsing(expat.XML_PARAM_ENTITY_PARSING_NEVER)
         self._parser.StartElementHandler = self._start
         self._parser.EndElementHandler = self._end
-        self._parser.CharacterDataHandler = self._characters
+        self._takes_text = False
 
     def parsed(self) -> Iterator[None]:
         """Yield before each part of the file is parsed; at the end the parser is let go, with what it refers to."""
@@ -145,6 +145,12 @@ class _Parser:
 
     def _characters(self, text: str) -> None:
         raise NotImplementedError
+
+    def _take_text(self, wanted: bool) -> None:
+        """Have text given from here on, or not: the blanks between elements are most of it."""
+        if wanted != self._takes_text:
+            self._takes_text = wanted
+            self._parser.CharacterDataHandler = self._characters if wanted else None
 
     def _element(self, name: str, attributes: dict[str, str]) -> Element:
         names = self._names
@@ -183,16 +189,17 @@ class _Survey(_Parser):
             raise _large("elements within each other", MOST_DEPTH, self._place)
         local = self._local(name)
         self._inside.append(local)
+        self._take_text(local == "style")
         self.refers = self.refers or local in REFERRING
         if self.root is None:
             self.root = local
 
     def _end(self, name: str) -> None:
         self._inside.pop()
+        self._take_text(bool(self._inside) and self._inside[-1] == "style")
 
     def _characters(self, text: str) -> None:
-        if self._inside and self._inside[-1] == "style":
-            self.rules.append(text)
+        self.rules.append(text)
 
     def _comment(self, text: str) -> None:
         if not self.root and len(self.comments) < 8:
@@ -252,17 +259,18 @@ class _Elements(_Parser):
         if self._open:
             self._open[-1][1].append(element)
         self._open.append((element, children))
+        self._take_text(element.name in WITH_TEXT)
 
     def _end(self, name: str) -> None:
         whole = self._open.pop()[0] if self._open else None
         if not self._open:
             self._ready.append(whole)
+        self._take_text(bool(self._open) and self._open[-1][0].name in WITH_TEXT)
 
     def _characters(self, text: str) -> None:
-        if self._open and self._open[-1][0].name in WITH_TEXT:
-            child = Element(TEXT, {})
-            child.text = text
-            self._open[-1][1].append(child)
+        child = Element(TEXT, {})
+        child.text = text
+        self._open[-1][1].append(child)
 
 
 def _large(of_what: str, most: int, place: Place) -> JobError:

@@ -1,32 +1,32 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The pieces of a drawing in the order of the file, their curves fitted many paths at a time.
 
-shape ──► add_paths: waits ──► MOST_WAITING segments ──► PathColumns.curves: one call for all ──► Piece
-text ───► add_curves: waits with them ────────────────────────────────────────────────────────► Piece
+shape ──► add_paths: waits ──► MOST_WAITING segments ──► PathColumns.bundle: one call for all ──► ChainGatherer
+text ───► add_curves: behind those that wait ──────────────────────────────────────────────────► ChainGatherer
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
+
+import numpy as np
 
 from CNCStepper.cancellation import checkpoint
 from CNCStepper.drawing.chain_columns import ChainColumns, ChainGatherer
 from CNCStepper.drawing.drawing import Attributes
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.fitting.bezier_path import PathPen, columns_of
+from CNCStepper.geometry.fitting.bezier_path import PathGatherer, PathPen
 from CNCStepper.geometry.fitting.path_columns import SampleBudget
 
 MOST_WAITING = 4_096  # segments
 
 
 class _Waiting(NamedTuple):
-    """The paths of one element, or its curves, its attributes, and what is called where a path has no curve."""
+    """An element: how many paths it has, its attributes, and what is called where a path has no curve."""
 
-    pens: Sequence[PathPen]
-    curves: Sequence[Curve]
+    paths: int
     attributes: Attributes
     refused: Callable[[GeometryError], None]
 
@@ -37,8 +37,8 @@ class FittedPieces:
     def __init__(self, tolerance_mm: float):
         self._tolerance_mm, self._budget = tolerance_mm, SampleBudget()
         self._pieces = ChainGatherer()
+        self._paths = PathGatherer()
         self._waiting: list[_Waiting] = []
-        self._segments = 0
 
     @property
     def budget(self) -> SampleBudget:
@@ -46,9 +46,10 @@ class FittedPieces:
         return self._budget
 
     def add_curves(self, curves: Sequence[Curve], attributes: Attributes) -> None:
-        """Add the curves of an element."""
-        self._waiting.append(_Waiting((), curves, attributes, _not_refused))
-        self._count(sum(map(len, curves)))
+        """Add the curves of an element; raises GeometryError as `add_paths`."""
+        self._fit()
+        for curve in curves:
+            self._pieces.add(curve, attributes)
 
     def add_paths(
         self, pens: Sequence[PathPen], attributes: Attributes, refused: Callable[[GeometryError], None]
@@ -57,39 +58,43 @@ class FittedPieces:
 
         Raises GeometryError where the curves of the drawing are too many for the tolerance.
         """
-        drawn = [pen for pen in pens if len(pen)]
-        if not drawn:
-            return
-        self._waiting.append(_Waiting(drawn, (), attributes, refused))
-        self._count(sum(map(len, drawn)))
+        count = 0
+        for pen in pens:
+            if len(pen):
+                self._paths.add(pen)
+                count += 1
+        if count:
+            self._waiting.append(_Waiting(count, attributes, refused))
+            if len(self._paths) >= MOST_WAITING:
+                self._fit()
 
     def all(self) -> ChainColumns:
         """Return the pieces of all elements; raises GeometryError as `add_paths`."""
         self._fit()
         return self._pieces.columns()
 
-    def _count(self, segments: int) -> None:
-        self._segments += segments
-        if self._segments >= MOST_WAITING:
-            self._fit()
-
     def _fit(self) -> None:
         if not self._waiting:
             return
         checkpoint()
-        waiting, self._waiting, self._segments = self._waiting, [], 0
-        pens = [pen for own in waiting for pen in own.pens]
-        found = iter(columns_of(pens).curves(self._tolerance_mm, self._budget) if pens else ())
+        waiting, self._waiting = self._waiting, []
+        paths, self._paths = self._paths.columns(), PathGatherer()
+        bundle, errors = paths.bundle(self._tolerance_mm, self._budget)
+        attributes = [own.attributes for own in waiting for _ in range(own.paths)]
+        if errors:
+            kept = self._kept(waiting, errors)
+            sound = [number for number in range(len(kept)) if number not in errors]
+            bundle, attributes = bundle.where(kept[sound]), [attributes[number] for number in np.flatnonzero(kept)]
+        self._pieces.add_bundle(bundle, attributes)
+
+    @staticmethod
+    def _kept(waiting: Sequence[_Waiting], errors: dict[int, GeometryError]) -> np.ndarray:
+        """Return which paths are of elements all of whose paths have a curve, bool[k]; refuse the other elements."""
+        kept: list[bool] = []
         for own in waiting:
-            fitted = [next(found) for _ in own.pens]
-            error = next((curve for curve in fitted if isinstance(curve, GeometryError)), None)
+            numbers = range(len(kept), len(kept) + own.paths)
+            error = next((errors[number] for number in numbers if number in errors), None)
+            kept += [error is None] * own.paths
             if error is not None:
                 own.refused(error)
-                continue
-            for curve in itertools.chain(own.curves, fitted):
-                assert isinstance(curve, Curve)
-                self._pieces.add(curve, own.attributes)
-
-
-def _not_refused(error: GeometryError) -> None:
-    raise error
+        return np.array(kept, bool)

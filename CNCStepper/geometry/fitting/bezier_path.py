@@ -10,8 +10,7 @@ path_columns.py makes curves of lines and arcs of them, of many paths at once.
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -71,6 +70,8 @@ class PathPen:
 
     Points are complex numbers, x + iy.
     """
+
+    __slots__ = ("_bulge", "_controls", "_points")
 
     def __init__(self, start: complex):
         self._points = [start]
@@ -137,15 +138,31 @@ class PathPen:
         self._bulge.append(bulge)
 
 
-def columns_of(pens: Sequence[PathPen]) -> PathColumns:
-    """Return what several pens have drawn, each at least one segment, in a few columns."""
-    chain = itertools.chain.from_iterable
-    return PathColumns(
-        np.array(list(chain(pen._points for pen in pens)), complex),
-        np.array(list(chain(pen._controls for pen in pens)), complex).reshape(-1, 2),
-        np.array(list(chain(pen._bulge for pen in pens)), float),
-        np.array([len(pen) for pen in pens], np.int64),
-    )
+class PathGatherer:
+    """Gathers what pens have drawn, until all of it becomes columns."""
+
+    def __init__(self) -> None:
+        self._points: list[complex] = []
+        self._controls: list[complex] = []
+        self._bulge: list[float] = []
+        self._sizes: list[int] = []
+
+    def __len__(self) -> int:
+        """How many segments there are."""
+        return len(self._bulge)
+
+    def add(self, pen: PathPen) -> None:
+        """Add the path of a pen, which has drawn at least one segment."""
+        self._points += pen._points
+        self._controls += pen._controls
+        self._bulge += pen._bulge
+        self._sizes.append(len(pen._bulge))
+
+    def columns(self) -> PathColumns:
+        """Return all paths."""
+        controls = np.array(self._controls, complex).reshape(-1, 2)
+        points, bulge = np.array(self._points, complex), np.array(self._bulge, float)
+        return PathColumns(points, controls, bulge, np.array(self._sizes, np.int64))
 
 
 def required(curve: Curve | GeometryError) -> Curve:

@@ -22,6 +22,7 @@ import numpy as np
 
 from CNCStepper.errors import GeometryError
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.geometry.curve_bundle import Bundle, bundles_joined
 from CNCStepper.geometry.curve_columns import LIMIT_MM, STRAIGHT_MM, xy_of
 from CNCStepper.geometry.fitting.fit_kernels import fit_stretches, sampled
 
@@ -81,23 +82,33 @@ class PathColumns(NamedTuple):
         return PathColumns(self.points[vertices], self.controls[segments], self.bulge[segments], self.sizes[kept])
 
     def curves(self, tolerance_mm: float, budget: SampleBudget | None = None) -> list[Curve | GeometryError]:
-        """Return lines and arcs along each path, mm, within `tolerance_mm` of it, or why there are none.
+        """Return what `bundle` does, a curve or an error for each path."""
+        bundle, errors = self.bundle(tolerance_mm, budget)
+        curves = iter(bundle.curves())
+        return [errors[number] if number in errors else next(curves) for number in range(len(self.sizes))]
+
+    def bundle(
+        self, tolerance_mm: float, budget: SampleBudget | None = None
+    ) -> tuple[Bundle, dict[int, GeometryError]]:
+        """Return lines and arcs along the paths, mm, within `tolerance_mm` of them, and why some have none, by number.
 
         Raises GeometryError where the samples of all are more than the budget has.
         """
-        wanted, sound = self._wanted(CHORD_SHARE * tolerance_mm)
-        numbers = np.flatnonzero(sound == SOUND)
-        found: dict[int, Curve | GeometryError] = {
-            number: _refusal(int(sound[number])) for number in np.flatnonzero(sound != SOUND).tolist()
-        }
-        if not len(numbers):
-            return list(found.values())
-        paths = self if len(numbers) == len(sound) else self.some(sound == SOUND)
-        counts = np.maximum(np.ceil(wanted[np.repeat(sound == SOUND, self.sizes)]), 1.0).astype(np.int64)
+        wanted, state = self._wanted(CHORD_SHARE * tolerance_mm)
+        sound = state == SOUND
+        errors = {number: _refusal(int(state[number])) for number in np.flatnonzero(~sound).tolist()}
+        if not sound.any():
+            return bundles_joined([]), errors
+        paths = self if sound.all() else self.some(sound)
+        counts = np.maximum(np.ceil(wanted[np.repeat(sound, self.sizes)]), 1.0).astype(np.int64)
         if budget is not None:
             budget.take(int(counts[np.isnan(paths.bulge)].sum()))
-        found.update(zip(numbers.tolist(), paths._in_groups(counts, tolerance_mm), strict=True))
-        return [found[number] for number in range(len(sound))]
+        bundles, fine = zip(*paths._in_groups(counts, tolerance_mm), strict=True)
+        bundle, kept = bundles_joined(bundles), np.concatenate(fine)
+        numbers = np.flatnonzero(sound)
+        for row in np.flatnonzero(~kept).tolist():
+            errors[int(numbers[row])] = _no_curve(bundle.taken(np.array([row])))
+        return bundle.where(kept), errors
 
     def _wanted(self, chord_error_mm: float) -> tuple[np.ndarray, np.ndarray]:
         """Return into how many chords each segment is to be cut, float64[n], and the state of each path, int64[k]."""
@@ -111,16 +122,19 @@ class PathColumns(NamedTuple):
         is_short = np.add.reduceat(wanted, first) <= MOST_SAMPLES  # not for NaN
         return wanted, np.where(is_near, np.where(is_short, SOUND, LARGE), FAR)
 
-    def _in_groups(self, counts: np.ndarray, tolerance_mm: float) -> Iterator[Curve | GeometryError]:
-        """Yield the curves of sound paths, sampled together in groups that need little memory."""
+    def _in_groups(self, counts: np.ndarray, tolerance_mm: float) -> Iterator[tuple[Bundle, np.ndarray]]:
+        """Yield what `_fitted` returns of sound paths, sampled together in groups that need little memory."""
         group = np.cumsum(np.add.reduceat(counts, self.first)) // GROUP_SAMPLES
         for number in np.unique(group).tolist():
             kept = group == number
             own = self if kept.all() else self.some(kept)
-            yield from own._fitted(counts[np.repeat(kept, self.sizes)], tolerance_mm)
+            yield own._fitted(counts[np.repeat(kept, self.sizes)], tolerance_mm)
 
-    def _fitted(self, counts: np.ndarray, tolerance_mm: float) -> Iterator[Curve | GeometryError]:
-        """Yield the curve of each path; `counts`, int64[n], says into how many chords its segments are cut."""
+    def _fitted(self, counts: np.ndarray, tolerance_mm: float) -> tuple[Bundle, np.ndarray]:
+        """Return the curve of each path, and which of them are in bounds, bool[k].
+
+        `counts`, int64[n], says into how many chords their segments are cut.
+        """
         z, starts, last = sampled(self.points, self.controls, self.sizes, counts)
         stops = ~self._is_smooth()
         breaks = np.sort(np.concatenate([starts, last[stops]]))
@@ -135,10 +149,8 @@ class PathColumns(NamedTuple):
         finishes = np.searchsorted(vertices, last[self.first + self.sizes - 1])
         is_near = np.logical_and.reduceat((np.abs(xy) <= LIMIT_MM).all(axis=1), begins)
         is_round = np.logical_and.reduceat(rises_mm <= LIMIT_MM, begins)
-        for begin, finish, is_curve in zip(
-            begins.tolist(), finishes.tolist(), (is_near & is_round).tolist(), strict=True
-        ):
-            yield _curve(xy[begin : finish + 1], bulges[begin:finish], is_curve)
+        between = finishes[:-1]  # from the end of a path to the begin of the next one
+        return Bundle(xy, np.delete(bulges, between), finishes - begins), is_near & is_round
 
     def _is_smooth(self) -> np.ndarray:
         """Return which segments are Bezier curves that go on smoothly in a next one of their path, bool[n]."""
@@ -164,10 +176,10 @@ def _refusal(state: int) -> GeometryError:
     return GeometryError("curve-range", "a path has no length, or a coordinate that is no length in mm")
 
 
-def _curve(xy: np.ndarray, bulge: np.ndarray, is_curve: bool) -> Curve | GeometryError:
-    if is_curve:
-        return Curve.trusted(xy, bulge)
+def _no_curve(path: Bundle) -> GeometryError:
+    """Return why a path that is out of bounds is no curve."""
     try:
-        return Curve(xy, bulge)
+        Curve(path.xy, path.bulge)
     except GeometryError as error:
         return error
+    return _refusal(FAR)  # out of bounds by a rounding

@@ -316,6 +316,16 @@ def hints_in(lines: list[str]) -> list[str]:
     return [line for line in lines if line.startswith("hint: ") and "cncstepper convert" not in line]
 
 
+def test_no_option_is_named_that_the_verb_lacks(tmp_path: Path, monkeypatch, capsys) -> None:
+    path = tmp_path / "drawn.nc"
+    path.write_text("#1=2\nG0 X#1\nM2\n", encoding="ascii")
+    monkeypatch.setattr(sys, "argv", ["cncstepper", "drawing", str(path)])
+    with pytest.raises(SystemExit, match="1"):
+        main()
+    told = capsys.readouterr().err
+    assert "not part of this dialect" in told and "--dialect" not in told
+
+
 @pytest.mark.parametrize(
     ("text", "more", "hint"),
     [
