@@ -13294,6 +13294,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{word} {number}' says no length or line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>(Did you mean one of: {possibilities}?)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15331,6 +15335,14 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a file that {what} names</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a subroutine that is called</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a turned part is drawn as its half section, at one moment: leave --view out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15490,6 +15502,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no job '{name}' runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no job is unfinished: every one whose journal is kept was cut to its end</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15578,11 +15594,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine is not homed: {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile does not say what drives {axis}: add [axis.{axis}.drive] to it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the profile says what drives the axis: leave the drive's options out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program pauses: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15643,6 +15667,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{copied_from} ships with the program and stays as it is; your copy takes its place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} jobs run</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15861,6 +15889,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <source>{value} is not in the range {range}.</source>
             <translation type="unfinished"></translation>
         </message>
+        <message>
+            <source>{what} that is read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{what}, which is read</source>
+            <translation type="unfinished"></translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper core</name>
@@ -15890,6 +15926,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>'{0}' is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{address}' is not an address</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15929,6 +15969,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{file}' is no picture that can be drawn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15958,6 +16002,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{line}' is no press: type {name}, press {name} or release {name}; pins are {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15993,6 +16041,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{path}' cannot be written: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{path}' is no file of part records</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16002,6 +16054,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>'{path}' is no tool file that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{path}' leads to a terminal that is in use</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16034,6 +16090,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>'{words}' is no length or angle that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{word} {number}' says no length or line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17489,6 +17549,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a motor misses a place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a move to no known place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17614,6 +17682,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a point is too far away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a press of the timeline is none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17857,6 +17929,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a time of a press is none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a timeline holds nothing but presses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17969,6 +18049,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a work system that is turned (G10 L2 R) is read, but its moves cannot be judged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {kind} tool has no insert of ISO 1832</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18049,6 +18133,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add P</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add Q</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add closed = true to the rule, or mend the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18066,6 +18158,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>add one before the first cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add pid_file = a session file of the sender</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18101,7 +18197,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add {letter}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add {letter} to the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add {name} = {words}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18142,6 +18246,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>an arc needs a known start point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc needs a radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18917,6 +19025,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another port, or 0 for any that is free</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18954,6 +19066,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>choose one of: {choices}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose one with --session</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19153,7 +19269,31 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct D</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct I</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct L</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct P</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct Q</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct Q, P or R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct R</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19358,6 +19498,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct {letter}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19605,11 +19749,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drop $</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drop L</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drop it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>drop the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drop {letter}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19638,6 +19794,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>end it in .pdf or .html</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end it in .png or .svg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19681,7 +19841,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end the virtual machine that is there, or give another path; remove the link if it was killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ends were moved together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enlarge Q</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19965,7 +20133,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a path in a folder that exists, where nothing stands yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a program that cuts along X and Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a session file of the sender</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19997,6 +20173,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give another name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give another name, or --overwrite to replace it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give another path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give dwell_s, or use G81</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20017,7 +20205,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give either --pty or --tcp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give every axis a number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20070,6 +20266,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>give one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give one of: {addresses}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20158,6 +20358,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>give the work zero to have the travel checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give them an interval</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20278,6 +20482,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>highest spindle speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>hold and go back along the pulses with 'cncstepper back', or send the letters that are left</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20469,6 +20677,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it changes a file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20594,6 +20806,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>it holds more than a bundle does</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it holds no process to kill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20929,7 +21145,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>keep within {0} mm</source>
+            <source>keep within {most:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21066,6 +21282,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>leave them out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave those axes out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21349,6 +21569,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower the greatest rate of the axis, or shorten pulse_us and gap_us as its drive allows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21362,6 +21586,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>machines with more than three axes are not written in this dialect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>made by CNCStepper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21629,6 +21857,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the holes apart, join them, or draw a slit yourself</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21697,6 +21929,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>moves of A B C U V W are read, but cannot be proven, simulated or timed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21742,6 +21978,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>name an axis that it has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name another</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21909,11 +22149,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no job '{name}' runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no job is held</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no job runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no link can be made at '{path}': {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22209,6 +22457,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not an object of keys and values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not an outcome: it has no end state</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22286,6 +22538,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>nothing more is sent to the lathe: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing more of the test is sent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22557,6 +22813,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pins are {pins}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pins that are on: {pins}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pins.{name} is no signal; there are {known}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22570,6 +22834,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>pins: two signals are on one pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pins: {pins}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22682,6 +22950,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>prove parts of the program alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulse letters name no places, so that no entry can be written for them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22842,6 +23114,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>real time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>recompute the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23069,6 +23345,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>say it in the machine's profile: [signals] pins = {{ {name} = 2, ... }}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>scale all axes alike</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23082,6 +23362,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>scripts that are written from the right are not set</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see --help</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23101,7 +23385,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>see that the way to the switches is free, then home again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see to that, then `cncstepper go --pause`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>see whether it is whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see {log}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23122,6 +23418,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>send another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>send each with the certificate that `run` wrote beside it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23154,6 +23454,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>set $0 to 3 or more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set $10=1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23569,6 +23873,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch it by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch it off and on again; if it stays, look at its wiring</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23750,6 +24058,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>take text out of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take the fault 'disk' out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23949,6 +24261,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the baud rate is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the beam is never on during a cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23958,6 +24274,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the blade is wider than the groove</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the board has no byte that switches {device}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the board has no such motor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the board has no such motors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24098,6 +24426,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the configuration is not valid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection does not end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24673,6 +25005,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the fault 'kill' does not say whom</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the feed asks more of {name} than its highest rate</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25037,6 +25373,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the job is not held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job is too long for a file that people read</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25190,6 +25530,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe leaves a record out: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25414,6 +25758,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the machine is not held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not homed: {state}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25761,6 +26109,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the planner has no free block</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26037,6 +26389,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program pauses: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program runs on and on: is there a loop without an end?</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26089,6 +26445,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the programs of a job that is split, one a tool, are proven one after the other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26098,6 +26458,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the proxy of this network does not let pip through</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pulses come faster than the signals of this machine can follow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26261,6 +26625,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the sender's disk cannot be filled from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the sender's process does not start</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26345,6 +26713,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the signal {name} is on no pin of the parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the simulation's process has ended</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26374,6 +26746,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the solid or a value has changed since the sheets were made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the speed is out of range</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26705,6 +27081,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the trace '{path}' cannot be written: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the triangles of the STL file are not whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26730,6 +27110,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the virtual grbl ended at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the virtual machine asks nobody for a password, so it does not listen on '{host}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the virtual machine cannot listen on {host}:{port}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the virtual machine needs one port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26877,7 +27269,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there are A to Z for pulses and {0} for devices</source>
+            <source>there are A to Z for pulses and {devices} for devices</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26894,6 +27286,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>there are {count} lines, none at {index}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are {kinds}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26961,6 +27357,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no input '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no key {key}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26994,6 +27394,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>there is no part to draw</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no pin '{pin}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27073,6 +27477,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is nothing to do</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is nothing to find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27101,6 +27509,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>these pulses have no time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this answer belongs to an earlier pause</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27110,6 +27522,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>this client is detached</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this clock's ticks are no whole picoseconds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27257,6 +27673,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no fault '{kind}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no output to switch (knife and point have no power): take it out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27313,6 +27733,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this system has no pseudo-terminals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this takes long and is calculated in the background</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27358,6 +27782,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>to_diameter_mm leaves nothing to face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>too many axes for these signals</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27621,7 +28049,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use --tcp 127.0.0.1:PORT instead of --pty</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use 10 and 10</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use 16000000</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27642,6 +28078,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>use G83 or G73, or leave peck_mm out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use G92</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27813,7 +28253,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>use o, nu, na, {0}</source>
+            <source>use o, nu, na, {parameters}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27905,6 +28345,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use {units}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use {ways}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>value {value}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27914,6 +28362,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>wait a moment, then try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait for room</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28073,6 +28525,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write #1=2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write 0 where the edge does not matter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28122,6 +28578,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write G17, G18 or G19 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G18</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28177,6 +28637,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write HOST:PORT, as 127.0.0.1:2300</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write KEY=VALUE, for example axis.x.steps_per_mm=80</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28185,7 +28649,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write M5 ${0} before</source>
+            <source>write M5 ${tool} before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28202,6 +28666,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write M70 before, in the same subroutine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write M98 P1234</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write N10</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28234,6 +28706,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write [[press]] with pin (one of {names}), at_s and, if not {tap_s:g}, for_s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write [[{key}]]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28373,6 +28853,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write for example: b 5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write for grbl or linuxcnc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28466,6 +28950,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write rows = [{ ... }, { ... }]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28581,10 +29069,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write {0} to {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write {keyword} [condition]</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28594,6 +29078,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write {key} = "name"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {least} to {most}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28817,6 +29305,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} jobs run</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28990,6 +29482,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{heard} at {port}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29313,6 +29809,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{meaning} (ALARM:{number})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{meaning} (error:{error})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29566,6 +30066,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{option} and {other} would write the same file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{option} would replace a file of another kind, or of somebody else's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{option} would replace a file that exists already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{option} would write over {what}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -13310,6 +13310,10 @@ altura</translation>
             <translation>'{words}' não é uma velocidade: escreva por exemplo F500 (mm/min)</translation>
         </message>
         <message>
+            <source>'{word} {number}' says no length or line</source>
+            <translation>'{word} {number}' não diz comprimento nem linha</translation>
+        </message>
+        <message>
             <source>(Did you mean one of: {possibilities}?)</source>
             <translation>(Você quis dizer uma destas: {possibilities}?)</translation>
         </message>
@@ -15348,6 +15352,14 @@ altura</translation>
             <translation>um arquivo</translation>
         </message>
         <message>
+            <source>a file that {what} names</source>
+            <translation>um arquivo que {what} nomeia</translation>
+        </message>
+        <message>
+            <source>a subroutine that is called</source>
+            <translation>uma sub-rotina que é chamada</translation>
+        </message>
+        <message>
             <source>a turned part is drawn as its half section, at one moment: leave --view out</source>
             <translation>uma peça torneada é desenhada como meia seção, em um momento: não dê --view</translation>
         </message>
@@ -15514,6 +15526,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhuma conversão faz dele um programa para {target}: {reason}</translation>
         </message>
         <message>
+            <source>no job '{name}' runs</source>
+            <translation>nenhum trabalho '{name}' está em execução</translation>
+        </message>
+        <message>
             <source>no job is unfinished: every one whose journal is kept was cut to its end</source>
             <translation>nenhum trabalho está inacabado: todos cujo diário está guardado foram cortados até o fim</translation>
         </message>
@@ -15602,12 +15618,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o trabalho está dividido em {parts} programas: diga com --part qual deles é este</translation>
         </message>
         <message>
+            <source>the machine is not homed: {state}</source>
+            <translation>a máquina não está referenciada: {state}</translation>
+        </message>
+        <message>
             <source>the profile does not say what drives {axis}: add [axis.{axis}.drive] to it</source>
             <translation>o perfil não diz o que aciona {axis}: acrescente [axis.{axis}.drive] a ele</translation>
         </message>
         <message>
             <source>the profile says what drives the axis: leave the drive's options out</source>
             <translation>o perfil diz o que aciona o eixo: não dê as opções do acionamento</translation>
+        </message>
+        <message>
+            <source>the program pauses: {why}</source>
+            <translation>o programa pausa: {why}</translation>
         </message>
         <message>
             <source>these options belong to --turn, not to --tool</source>
@@ -15668,6 +15692,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{copied_from} ships with the program and stays as it is; your copy takes its place</source>
             <translation>{copied_from} é fornecido com o programa e fica como está; a sua cópia toma o lugar dele</translation>
+        </message>
+        <message>
+            <source>{count} jobs run</source>
+            <translation>{count} trabalhos estão em execução</translation>
         </message>
         <message>
             <source>{drawing}: written, what the script draws</source>
@@ -15885,6 +15913,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <source>{value} is not in the range {range}.</source>
             <translation>{value} não está no intervalo {range}.</translation>
         </message>
+        <message>
+            <source>{what} that is read</source>
+            <translation>{what} que é lido</translation>
+        </message>
+        <message>
+            <source>{what}, which is read</source>
+            <translation>{what}, que é lido</translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper core</name>
@@ -15915,6 +15951,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>'{0}' is no number</source>
             <translation>'{0}' não é um número</translation>
+        </message>
+        <message>
+            <source>'{address}' is not an address</source>
+            <translation>'{address}' não é um endereço</translation>
         </message>
         <message>
             <source>'{axes}' names no axes</source>
@@ -15953,6 +15993,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>'{file}' não é um tipo de folha que se possa gravar</translation>
         </message>
         <message>
+            <source>'{file}' is no picture that can be drawn</source>
+            <translation>'{file}' não é uma imagem que possa ser desenhada</translation>
+        </message>
+        <message>
             <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
             <translation>'{inner}' e '{outer}' se cruzam, de modo que não está claro o que fica dentro</translation>
         </message>
@@ -15983,6 +16027,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
             <translation>'{line}' não é um bloco que só comuta, como M8, M3S9000 ou M64P0</translation>
+        </message>
+        <message>
+            <source>'{line}' is no press: type {name}, press {name} or release {name}; pins are {names}</source>
+            <translation>'{line}' não é um toque: digite {name}, press {name} ou release {name}; os pinos são {names}</translation>
         </message>
         <message>
             <source>'{line}' is no row of a profile</source>
@@ -16017,6 +16065,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>'{part}' em '{line}' não diz nada de um canto nem de um arco</translation>
         </message>
         <message>
+            <source>'{path}' cannot be written: {error}</source>
+            <translation>'{path}' não pode ser escrito: {error}</translation>
+        </message>
+        <message>
             <source>'{path}' is no file of part records</source>
             <translation>'{path}' não é um arquivo de registros de peças</translation>
         </message>
@@ -16027,6 +16079,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>'{path}' is no tool file that is known</source>
             <translation>'{path}' não é um arquivo de ferramentas conhecido</translation>
+        </message>
+        <message>
+            <source>'{path}' leads to a terminal that is in use</source>
+            <translation>'{path}' leva a um terminal em uso</translation>
         </message>
         <message>
             <source>'{solid}' is no solid and cannot be a clamp</source>
@@ -16059,6 +16115,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>'{words}' is no length or angle that is known</source>
             <translation>'{words}' não é um comprimento ou ângulo conhecido</translation>
+        </message>
+        <message>
+            <source>'{word} {number}' says no length or line</source>
+            <translation>'{word} {number}' não diz comprimento nem linha</translation>
         </message>
         <message>
             <source>'{word}' changes no key</source>
@@ -17513,6 +17573,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um driver de motor acusa falha</translation>
         </message>
         <message>
+            <source>a motor misses a place</source>
+            <translation>um motor pula um lugar</translation>
+        </message>
+        <message>
+            <source>a move to no known place</source>
+            <translation>um movimento para lugar desconhecido</translation>
+        </message>
+        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation>um movimento terminaria fora do curso (limite de software)</translation>
         </message>
@@ -17639,6 +17707,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a point is too far away</source>
             <translation>um ponto está longe demais</translation>
+        </message>
+        <message>
+            <source>a press of the timeline is none</source>
+            <translation>um toque da linha do tempo não é toque</translation>
         </message>
         <message>
             <source>a probe or an input sets it on the machine</source>
@@ -17881,6 +17953,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma ferramenta de roscar</translation>
         </message>
         <message>
+            <source>a time of a press is none</source>
+            <translation>um tempo de um toque não é tempo</translation>
+        </message>
+        <message>
+            <source>a timeline holds nothing but presses</source>
+            <translation>uma linha do tempo só contém toques</translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation>uma tolerância deve ser maior que 0</translation>
         </message>
@@ -17993,6 +18073,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
+            <source>a work system that is turned (G10 L2 R) is read, but its moves cannot be judged</source>
+            <translation>um sistema de trabalho girado (G10 L2 R) é lido, mas os seus movimentos não podem ser julgados</translation>
+        </message>
+        <message>
             <source>a {kind} tool has no insert of ISO 1832</source>
             <translation>uma ferramenta {kind} não tem pastilha da ISO 1832</translation>
         </message>
@@ -18073,6 +18157,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acrescente G0 ou G1</translation>
         </message>
         <message>
+            <source>add P</source>
+            <translation>acrescente P</translation>
+        </message>
+        <message>
+            <source>add Q</source>
+            <translation>acrescente Q</translation>
+        </message>
+        <message>
             <source>add closed = true to the rule, or mend the drawing</source>
             <translation>acrescente closed = true à regra, ou conserte o desenho</translation>
         </message>
@@ -18091,6 +18183,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>add one before the first cut</source>
             <translation>acrescente uma antes do primeiro corte</translation>
+        </message>
+        <message>
+            <source>add pid_file = a session file of the sender</source>
+            <translation>acrescente pid_file = um arquivo de sessão de quem envia</translation>
         </message>
         <message>
             <source>add the missing pass, or lower the stepover or the stepdown</source>
@@ -18125,8 +18221,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acrescente {key} = e o seu valor</translation>
         </message>
         <message>
+            <source>add {letter}</source>
+            <translation>acrescente {letter}</translation>
+        </message>
+        <message>
             <source>add {letter} to the line</source>
             <translation>acrescente {letter} à linha</translation>
+        </message>
+        <message>
+            <source>add {name} = {words}</source>
+            <translation>acrescente {name} = {words}</translation>
         </message>
         <message>
             <source>after a stop the first move names all its axes, on one straight way: let the machine stand above the work</source>
@@ -18167,6 +18271,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>an arc needs a known start point</source>
             <translation>um arco precisa de um ponto inicial conhecido</translation>
+        </message>
+        <message>
+            <source>an arc needs a radius</source>
+            <translation>um arco precisa de um raio</translation>
         </message>
         <message>
             <source>an arc needs arc = "cw" or "ccw", and radius_mm or centre</source>
@@ -18941,6 +19049,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escolha outro lugar</translation>
         </message>
         <message>
+            <source>choose another port, or 0 for any that is free</source>
+            <translation>escolha outra porta, ou 0 para qualquer uma livre</translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation>escolha outro processo no trabalho, ou apague a operação</translation>
         </message>
@@ -18979,6 +19091,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>choose one of: {choices}</source>
             <translation>escolha um destes: {choices}</translation>
+        </message>
+        <message>
+            <source>choose one with --session</source>
+            <translation>escolha um com --session</translation>
         </message>
         <message>
             <source>choose other values, or try again</source>
@@ -19177,8 +19293,32 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>corner_radius_mm não pode passar da metade de diameter_mm</translation>
         </message>
         <message>
+            <source>correct D</source>
+            <translation>corrija D</translation>
+        </message>
+        <message>
+            <source>correct I</source>
+            <translation>corrija I</translation>
+        </message>
+        <message>
+            <source>correct L</source>
+            <translation>corrija L</translation>
+        </message>
+        <message>
+            <source>correct P</source>
+            <translation>corrija P</translation>
+        </message>
+        <message>
+            <source>correct Q</source>
+            <translation>corrija Q</translation>
+        </message>
+        <message>
             <source>correct Q, P or R</source>
             <translation>corrija Q, P ou R</translation>
+        </message>
+        <message>
+            <source>correct R</source>
+            <translation>corrija R</translation>
         </message>
         <message>
             <source>correct R or the end point</source>
@@ -19383,6 +19523,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
             <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
+        </message>
+        <message>
+            <source>correct {letter}</source>
+            <translation>corrija {letter}</translation>
         </message>
         <message>
             <source>count is no whole number within its bounds</source>
@@ -19629,12 +19773,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acione o laser por um controlador com o modo laser do grbl</translation>
         </message>
         <message>
+            <source>drop $</source>
+            <translation>retire $</translation>
+        </message>
+        <message>
+            <source>drop L</source>
+            <translation>retire L</translation>
+        </message>
+        <message>
             <source>drop it</source>
             <translation>retire-a</translation>
         </message>
         <message>
             <source>drop the line</source>
             <translation>retire a linha</translation>
+        </message>
+        <message>
+            <source>drop {letter}</source>
+            <translation>retire {letter}</translation>
         </message>
         <message>
             <source>edge_mm must not be below zero</source>
@@ -19663,6 +19819,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>end it in .pdf or .html</source>
             <translation>termine-o em .pdf ou .html</translation>
+        </message>
+        <message>
+            <source>end it in .png or .svg</source>
+            <translation>termine em .png ou .svg</translation>
         </message>
         <message>
             <source>end it with #</source>
@@ -19705,8 +19865,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>termine a troca de ferramenta e continue</translation>
         </message>
         <message>
+            <source>end the virtual machine that is there, or give another path; remove the link if it was killed</source>
+            <translation>encerre a máquina virtual que está ali ou dê outro caminho; remova o link se ela foi morta</translation>
+        </message>
+        <message>
             <source>ends were moved together</source>
             <translation>pontas foram unidas</translation>
+        </message>
+        <message>
+            <source>enlarge Q</source>
+            <translation>aumente Q</translation>
         </message>
         <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
@@ -19989,8 +20157,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>informe uma linha</translation>
         </message>
         <message>
+            <source>give a path in a folder that exists, where nothing stands yet</source>
+            <translation>dê um caminho em uma pasta que exista, onde ainda não haja nada</translation>
+        </message>
+        <message>
             <source>give a program that cuts along X and Y</source>
             <translation>dê um programa que corte em X e Y</translation>
+        </message>
+        <message>
+            <source>give a session file of the sender</source>
+            <translation>dê um arquivo de sessão de quem envia</translation>
         </message>
         <message>
             <source>give a smaller file</source>
@@ -20021,6 +20197,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva uma palavra F antes do primeiro movimento de avanço</translation>
         </message>
         <message>
+            <source>give another name</source>
+            <translation>dê outro nome</translation>
+        </message>
+        <message>
+            <source>give another name, or --overwrite to replace it</source>
+            <translation>dê outro nome, ou --overwrite para substituí-lo</translation>
+        </message>
+        <message>
+            <source>give another path</source>
+            <translation>dê outro caminho</translation>
+        </message>
+        <message>
             <source>give dwell_s, or use G81</source>
             <translation>indique dwell_s ou use G81</translation>
         </message>
@@ -20041,8 +20229,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>dê a cada linha um número próprio</translation>
         </message>
         <message>
+            <source>give either --pty or --tcp</source>
+            <translation>dê --pty ou --tcp</translation>
+        </message>
+        <message>
             <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
             <translation>informe screw_pitch_mm, ou então belt_pitch_mm e pulley_teeth</translation>
+        </message>
+        <message>
+            <source>give every axis a number</source>
+            <translation>dê um número a cada eixo</translation>
         </message>
         <message>
             <source>give every line as many</source>
@@ -20095,6 +20291,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>give one of them</source>
             <translation>informe um deles</translation>
+        </message>
+        <message>
+            <source>give one of: {addresses}</source>
+            <translation>dê um destes: {addresses}</translation>
         </message>
         <message>
             <source>give parameters {first} to {first2} with the start state, or use G53</source>
@@ -20183,6 +20383,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>give the work zero to have the travel checked</source>
             <translation>informe o zero-peça para que o curso seja verificado</translation>
+        </message>
+        <message>
+            <source>give them an interval</source>
+            <translation>dê a eles um intervalo</translation>
         </message>
         <message>
             <source>give them different homing passes ($44 to $46)</source>
@@ -20303,6 +20507,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>highest spindle speed</source>
             <translation>maior rotação do fuso</translation>
+        </message>
+        <message>
+            <source>hold and go back along the pulses with 'cncstepper back', or send the letters that are left</source>
+            <translation>retenha e volte pelos pulsos com 'cncstepper back', ou envie as letras que faltam</translation>
         </message>
         <message>
             <source>hold it first</source>
@@ -20493,6 +20701,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>começa com {0}</translation>
         </message>
         <message>
+            <source>it cannot be read: {error}</source>
+            <translation>não pode ser lido: {error}</translation>
+        </message>
+        <message>
             <source>it changes a file</source>
             <translation>ele altera um arquivo</translation>
         </message>
@@ -20619,6 +20831,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>it holds more than a bundle does</source>
             <translation>contém mais do que um pacote</translation>
+        </message>
+        <message>
+            <source>it holds no process to kill</source>
+            <translation>não contém processo a matar</translation>
         </message>
         <message>
             <source>it is a device</source>
@@ -20953,8 +21169,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>fique meia largura de corte ao lado da peça</translation>
         </message>
         <message>
-            <source>keep within {0} mm</source>
-            <translation>fique dentro de {0} mm</translation>
+            <source>keep within {most:g} mm</source>
+            <translation>fique dentro de {most:g} mm</translation>
         </message>
         <message>
             <source>kept only if the controller stayed powered and was not reset in motion; a greeting, an alarm or a wrong position shows that it was: then {home}; {until_homed}</source>
@@ -21091,6 +21307,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>leave them out</source>
             <translation>deixe-os de fora</translation>
+        </message>
+        <message>
+            <source>leave those axes out</source>
+            <translation>omita esses eixos</translation>
         </message>
         <message>
             <source>leave {key} out</source>
@@ -21373,6 +21593,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>baixe o avanço ou gire o fuso mais rápido</translation>
         </message>
         <message>
+            <source>lower the greatest rate of the axis, or shorten pulse_us and gap_us as its drive allows</source>
+            <translation>diminua a maior velocidade do eixo, ou encurte pulse_us e gap_us como o driver permite</translation>
+        </message>
+        <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
             <translation>diminua a penetração de trabalho, entre em hélice, ou deixe menos material nos cantos</translation>
         </message>
@@ -21387,6 +21611,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>machines with more than three axes are not written in this dialect</source>
             <translation>neste dialeto não se escrevem programas para máquinas com mais de três eixos</translation>
+        </message>
+        <message>
+            <source>made by CNCStepper</source>
+            <translation>feito pelo CNCStepper</translation>
         </message>
         <message>
             <source>make D smaller</source>
@@ -21653,6 +21881,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>mova os outros eixos antes</translation>
         </message>
         <message>
+            <source>move the centre</source>
+            <translation>mova o centro</translation>
+        </message>
+        <message>
             <source>move the holes apart, join them, or draw a slit yourself</source>
             <translation>afaste os furos, una-os, ou desenhe você mesmo uma fenda</translation>
         </message>
@@ -21721,6 +21953,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>mova {letter} em uma linha própria</translation>
         </message>
         <message>
+            <source>moves of A B C U V W are read, but cannot be proven, simulated or timed</source>
+            <translation>movimentos de A B C U V W são lidos, mas não podem ser provados, simulados ou cronometrados</translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
             <translation>deve ser {number} de {words}</translation>
         </message>
@@ -21767,6 +22003,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>name an axis that it has</source>
             <translation>indique um eixo que ela tenha</translation>
+        </message>
+        <message>
+            <source>name another</source>
+            <translation>dê outro nome</translation>
         </message>
         <message>
             <source>name another machine</source>
@@ -21933,12 +22173,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhum jato trabalha com mais de 10 kbar</translation>
         </message>
         <message>
+            <source>no job '{name}' runs</source>
+            <translation>nenhum trabalho '{name}' está em execução</translation>
+        </message>
+        <message>
             <source>no job is held</source>
             <translation>nenhum trabalho está retido</translation>
         </message>
         <message>
             <source>no job runs</source>
             <translation>nenhum trabalho está em execução</translation>
+        </message>
+        <message>
+            <source>no link can be made at '{path}': {error}</source>
+            <translation>nenhum link pode ser feito em '{path}': {error}</translation>
         </message>
         <message>
             <source>no machine holds a tenth of a micron, and above 10 mm nothing is held</source>
@@ -22233,6 +22481,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não é um objeto JSON</translation>
         </message>
         <message>
+            <source>not an object of keys and values</source>
+            <translation>não é um objeto de chaves e valores</translation>
+        </message>
+        <message>
             <source>not an outcome: it has no end state</source>
             <translation>não é um resultado: não diz como terminou</translation>
         </message>
@@ -22311,6 +22563,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>nothing more is sent to the lathe: {0}</source>
             <translation>nada mais é enviado ao torno: {0}</translation>
+        </message>
+        <message>
+            <source>nothing more of the test is sent</source>
+            <translation>nada mais do teste é enviado</translation>
         </message>
         <message>
             <source>nothing moves</source>
@@ -22581,6 +22837,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>pino {pin} de {port}</translation>
         </message>
         <message>
+            <source>pins are {pins}</source>
+            <translation>os pinos são {pins}</translation>
+        </message>
+        <message>
+            <source>pins that are on: {pins}</source>
+            <translation>pinos ligados: {pins}</translation>
+        </message>
+        <message>
             <source>pins.{name} is no signal; there are {known}</source>
             <translation>pins.{name} não é um sinal; existem {known}</translation>
         </message>
@@ -22595,6 +22859,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>pins: two signals are on one pin</source>
             <translation>pins: dois sinais estão no mesmo pino</translation>
+        </message>
+        <message>
+            <source>pins: {pins}</source>
+            <translation>pinos: {pins}</translation>
         </message>
         <message>
             <source>pip could not install the packages: {said}</source>
@@ -22707,6 +22975,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>prove parts of the program alone</source>
             <translation>verifique partes do programa em separado</translation>
+        </message>
+        <message>
+            <source>pulse letters name no places, so that no entry can be written for them</source>
+            <translation>letras de pulso não nomeiam lugares, e nenhuma entrada pode ser escrita para elas</translation>
         </message>
         <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
@@ -22867,6 +23139,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>real time</source>
             <translation>tempo real</translation>
+        </message>
+        <message>
+            <source>recompute the document</source>
+            <translation>recalcule o documento</translation>
         </message>
         <message>
             <source>redraw it</source>
@@ -23093,6 +23369,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>salve a máquina de novo no editor de máquinas do FreeCAD (CAM)</translation>
         </message>
         <message>
+            <source>say it in the machine's profile: [signals] pins = {{ {name} = 2, ... }}</source>
+            <translation>diga-o no perfil da máquina: [signals] pins = {{ {name} = 2, ... }}</translation>
+        </message>
+        <message>
             <source>scale all axes alike</source>
             <translation>use a mesma escala em todos os eixos</translation>
         </message>
@@ -23107,6 +23387,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>scripts that are written from the right are not set</source>
             <translation>escritas da direita para a esquerda não são compostas</translation>
+        </message>
+        <message>
+            <source>see --help</source>
+            <translation>veja --help</translation>
         </message>
         <message>
             <source>see its log, and the machine</source>
@@ -23125,8 +23409,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
         </message>
         <message>
+            <source>see that the way to the switches is free, then home again</source>
+            <translation>veja que o caminho até as chaves esteja livre e faça a referência de novo</translation>
+        </message>
+        <message>
+            <source>see to that, then `cncstepper go --pause`</source>
+            <translation>cuide disso e depois `cncstepper go --pause`</translation>
+        </message>
+        <message>
             <source>see whether it is whole</source>
             <translation>veja se está completo</translation>
+        </message>
+        <message>
+            <source>see {log}</source>
+            <translation>veja {log}</translation>
         </message>
         <message>
             <source>select a sketch, wires, faces or edges</source>
@@ -23147,6 +23443,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>send another one</source>
             <translation>envie outro</translation>
+        </message>
+        <message>
+            <source>send each with the certificate that `run` wrote beside it</source>
+            <translation>envie cada um com o certificado que `run` escreveu ao lado</translation>
         </message>
         <message>
             <source>send it again</source>
@@ -23179,6 +23479,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>set $0 to 3 or more</source>
             <translation>ponha $0 em 3 ou mais</translation>
+        </message>
+        <message>
+            <source>set $10=1</source>
+            <translation>defina $10=1</translation>
         </message>
         <message>
             <source>set $22=1 if the machine has limit switches</source>
@@ -23593,6 +23897,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>as sub-rotinas chamam umas às outras fundo demais</translation>
         </message>
         <message>
+            <source>switch it by hand</source>
+            <translation>ligue-o à mão</translation>
+        </message>
+        <message>
             <source>switch it off and on again; if it stays, look at its wiring</source>
             <translation>desligue e ligue de novo; se continuar, verifique a fiação</translation>
         </message>
@@ -23775,6 +24083,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>take text out of it</source>
             <translation>retire texto dele</translation>
+        </message>
+        <message>
+            <source>take the fault 'disk' out</source>
+            <translation>retire a falha 'disk'</translation>
         </message>
         <message>
             <source>take the kerf from the chart</source>
@@ -23973,6 +24285,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a da base</translation>
         </message>
         <message>
+            <source>the baud rate is out of range</source>
+            <translation>a velocidade em baud está fora da faixa</translation>
+        </message>
+        <message>
             <source>the beam is never on during a cut</source>
             <translation>o feixe nunca está ligado onde deveria cortar</translation>
         </message>
@@ -23983,6 +24299,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the blade is wider than the groove</source>
             <translation>o bedame é mais largo que o canal</translation>
+        </message>
+        <message>
+            <source>the board has no byte that switches {device}</source>
+            <translation>a placa não tem byte que ligue {device}</translation>
+        </message>
+        <message>
+            <source>the board has no such motor</source>
+            <translation>a placa não tem esse motor</translation>
+        </message>
+        <message>
+            <source>the board has no such motors</source>
+            <translation>a placa não tem esses motores</translation>
         </message>
         <message>
             <source>the bore</source>
@@ -24123,6 +24451,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the configuration is not valid</source>
             <translation>a configuração não é válida</translation>
+        </message>
+        <message>
+            <source>the connection does not end</source>
+            <translation>a conexão não termina</translation>
         </message>
         <message>
             <source>the connection service does not start</source>
@@ -24697,6 +25029,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o fator deve ser maior que 0</translation>
         </message>
         <message>
+            <source>the fault 'kill' does not say whom</source>
+            <translation>a falha 'kill' não diz qual processo</translation>
+        </message>
+        <message>
             <source>the feed asks more of {name} than its highest rate</source>
             <translation>o avanço pede de {name} mais que a sua velocidade máxima</translation>
         </message>
@@ -25061,6 +25397,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o trabalho está prestes a continuar</translation>
         </message>
         <message>
+            <source>the job is not held</source>
+            <translation>o trabalho não está retido</translation>
+        </message>
+        <message>
             <source>the job is too long for a file that people read</source>
             <translation>o trabalho é longo demais para um arquivo que pessoas leem</translation>
         </message>
@@ -25215,6 +25555,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
             <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
+        </message>
+        <message>
+            <source>the lathe leaves a record out: {why}</source>
+            <translation>o torno omite um registro: {why}</translation>
         </message>
         <message>
             <source>the lathe's timer makes a lead of {lead:.4f} mm, not {wanted:.4f} mm: over the thread {off:.3f} mm; at {rpm:.2f} rpm it is right</source>
@@ -25439,6 +25783,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the machine is not held</source>
             <translation>a máquina não está em pausa</translation>
+        </message>
+        <message>
+            <source>the machine is not homed: {state}</source>
+            <translation>a máquina não está referenciada: {state}</translation>
         </message>
         <message>
             <source>the machine is not idle</source>
@@ -25785,6 +26133,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o plano não pode ser mudado</translation>
         </message>
         <message>
+            <source>the planner has no free block</source>
+            <translation>o planejador não tem bloco livre</translation>
+        </message>
+        <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
             <translation>o bolsão é tão estreito que seu caminho com este engajamento seria longo demais em relação às paralelas</translation>
         </message>
@@ -26061,6 +26413,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o programa faz pausa com a potência ligada</translation>
         </message>
         <message>
+            <source>the program pauses: {why}</source>
+            <translation>o programa pausa: {why}</translation>
+        </message>
+        <message>
             <source>the program runs on and on: is there a loop without an end?</source>
             <translation>o programa não para de executar: há um laço sem fim?</translation>
         </message>
@@ -26113,6 +26469,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não é mais possível ler o arquivo do programa: {why}</translation>
         </message>
         <message>
+            <source>the programs of a job that is split, one a tool, are proven one after the other</source>
+            <translation>os programas de um trabalho dividido, um por ferramenta, são provados um após o outro</translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {kind}: {error}</source>
             <translation>a verificação falhou por um defeito próprio: {kind}: {error}</translation>
         </message>
@@ -26123,6 +26483,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the proxy of this network does not let pip through</source>
             <translation>o proxy desta rede não deixa o pip passar</translation>
+        </message>
+        <message>
+            <source>the pulses come faster than the signals of this machine can follow</source>
+            <translation>os pulsos vêm mais rápido do que os sinais desta máquina podem acompanhar</translation>
         </message>
         <message>
             <source>the pulses have ended</source>
@@ -26285,6 +26649,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o emissor ou seu computador parou sem avisar; o controlador pode ter executado o que tinha na memória</translation>
         </message>
         <message>
+            <source>the sender's disk cannot be filled from here</source>
+            <translation>o disco de quem envia não pode ser enchido daqui</translation>
+        </message>
+        <message>
             <source>the sender's process does not start</source>
             <translation>o processo de envio não inicia</translation>
         </message>
@@ -26369,6 +26737,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o lado menor</translation>
         </message>
         <message>
+            <source>the signal {name} is on no pin of the parallel port</source>
+            <translation>o sinal {name} não está em nenhum pino da porta paralela</translation>
+        </message>
+        <message>
             <source>the simulation's process has ended</source>
             <translation>o processo que conhece a peça em cada momento terminou</translation>
         </message>
@@ -26399,6 +26771,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the solid or a value has changed since the sheets were made</source>
             <translation>o sólido ou um valor mudou desde que as chapas foram feitas</translation>
+        </message>
+        <message>
+            <source>the speed is out of range</source>
+            <translation>a velocidade está fora da faixa</translation>
         </message>
         <message>
             <source>the spindle cannot turn at this speed</source>
@@ -26729,6 +27105,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a tocha não pode ser desligada</translation>
         </message>
         <message>
+            <source>the trace '{path}' cannot be written: {error}</source>
+            <translation>o registro '{path}' não pode ser escrito: {error}</translation>
+        </message>
+        <message>
             <source>the triangles of the STL file are not whole</source>
             <translation>os triângulos do arquivo STL não estão completos</translation>
         </message>
@@ -26755,6 +27135,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the virtual grbl ended at once</source>
             <translation>o grbl virtual terminou logo</translation>
+        </message>
+        <message>
+            <source>the virtual machine asks nobody for a password, so it does not listen on '{host}'</source>
+            <translation>a máquina virtual não pede senha a ninguém, por isso não escuta em '{host}'</translation>
+        </message>
+        <message>
+            <source>the virtual machine cannot listen on {host}:{port}: {error}</source>
+            <translation>a máquina virtual não pode escutar em {host}:{port}: {error}</translation>
+        </message>
+        <message>
+            <source>the virtual machine needs one port</source>
+            <translation>a máquina virtual precisa de uma porta</translation>
         </message>
         <message>
             <source>the volume of the stack is off by {off:+.1f} %: take thinner sheets, or let thin walls stand on them</source>
@@ -26901,8 +27293,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>depois executa {own} linhas do programa como estão; tudo antes delas é dado como cortado</translation>
         </message>
         <message>
-            <source>there are A to Z for pulses and {0} for devices</source>
-            <translation>há de A a Z para pulsos e {0} para dispositivos</translation>
+            <source>there are A to Z for pulses and {devices} for devices</source>
+            <translation>há A a Z para pulsos e {devices} para dispositivos</translation>
         </message>
         <message>
             <source>there are no packages in the folder or zip</source>
@@ -26919,6 +27311,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>there are {count} lines, none at {index}</source>
             <translation>há {count} linhas, nenhuma em {index}</translation>
+        </message>
+        <message>
+            <source>there are {kinds}</source>
+            <translation>há {kinds}</translation>
         </message>
         <message>
             <source>there are: {axes}</source>
@@ -26985,6 +27381,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não há furo em que a barra de mandrilar entre</translation>
         </message>
         <message>
+            <source>there is no input '{name}'</source>
+            <translation>não há entrada '{name}'</translation>
+        </message>
+        <message>
             <source>there is no key {key}</source>
             <translation>não há chave {key}</translation>
         </message>
@@ -27019,6 +27419,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>there is no part to draw</source>
             <translation>não há peça a desenhar</translation>
+        </message>
+        <message>
+            <source>there is no pin '{pin}'</source>
+            <translation>não há pino '{pin}'</translation>
         </message>
         <message>
             <source>there is no port {name}</source>
@@ -27097,6 +27501,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não há {packages} para o Python {version} no {system}</translation>
         </message>
         <message>
+            <source>there is nothing to do</source>
+            <translation>não há nada a fazer</translation>
+        </message>
+        <message>
             <source>there is nothing to find</source>
             <translation>não há nada a procurar</translation>
         </message>
@@ -27125,6 +27533,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>estas diagonais não são de um retângulo com estes lados</translation>
         </message>
         <message>
+            <source>these pulses have no time</source>
+            <translation>estes pulsos não têm tempo</translation>
+        </message>
+        <message>
             <source>this answer belongs to an earlier pause</source>
             <translation>a parada à qual isto responde já terminou</translation>
         </message>
@@ -27135,6 +27547,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>this client is detached</source>
             <translation>este cliente está desligado</translation>
+        </message>
+        <message>
+            <source>this clock's ticks are no whole picoseconds</source>
+            <translation>os pulsos deste relógio não são picossegundos inteiros</translation>
         </message>
         <message>
             <source>this comment would run Python on the machine</source>
@@ -27281,6 +27697,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>esta máquina não tem eixo Z: retire-o</translation>
         </message>
         <message>
+            <source>this machine has no fault '{kind}'</source>
+            <translation>esta máquina não tem falha '{kind}'</translation>
+        </message>
+        <message>
             <source>this machine has no output to switch (knife and point have no power): take it out</source>
             <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
         </message>
@@ -27337,6 +27757,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>este sistema não tem sockets Unix</translation>
         </message>
         <message>
+            <source>this system has no pseudo-terminals</source>
+            <translation>este sistema não tem pseudoterminais</translation>
+        </message>
+        <message>
             <source>this takes long and is calculated in the background</source>
             <translation>isto demora, e está sendo feito ao lado da janela</translation>
         </message>
@@ -27383,6 +27807,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>to_diameter_mm leaves nothing to face</source>
             <translation>to_diameter_mm não deixa nada para facear</translation>
+        </message>
+        <message>
+            <source>too many axes for these signals</source>
+            <translation>eixos demais para estes sinais</translation>
         </message>
         <message>
             <source>too many drawings, or one read in too many ways</source>
@@ -27645,8 +28073,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use + - * / ** MOD EQ NE GT GE LT LE AND OR XOR</translation>
         </message>
         <message>
+            <source>use --tcp 127.0.0.1:PORT instead of --pty</source>
+            <translation>use --tcp 127.0.0.1:PORT em vez de --pty</translation>
+        </message>
+        <message>
             <source>use 10 and 10</source>
             <translation>use 10 e 10</translation>
+        </message>
+        <message>
+            <source>use 16000000</source>
+            <translation>use 16000000</translation>
         </message>
         <message>
             <source>use G43 with the tool's number in H</source>
@@ -27667,6 +28103,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>use G83 or G73, or leave peck_mm out</source>
             <translation>use G83 ou G73, ou omita peck_mm</translation>
+        </message>
+        <message>
+            <source>use G92</source>
+            <translation>use G92</translation>
         </message>
         <message>
             <source>use I and J instead of R</source>
@@ -27837,8 +28277,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use o método "tolerance" ou uma ferramenta menor</translation>
         </message>
         <message>
-            <source>use o, nu, na, {0}</source>
-            <translation>use o, nu, na, {0}</translation>
+            <source>use o, nu, na, {parameters}</source>
+            <translation>use o, nu, na, {parameters}</translation>
         </message>
         <message>
             <source>use one of carbide</source>
@@ -27929,6 +28369,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use {functions} ou ATAN</translation>
         </message>
         <message>
+            <source>use {units}</source>
+            <translation>use {units}</translation>
+        </message>
+        <message>
+            <source>use {ways}</source>
+            <translation>use {ways}</translation>
+        </message>
+        <message>
             <source>value {value}</source>
             <translation>valor {value}</translation>
         </message>
@@ -27939,6 +28387,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>wait a moment, then try again</source>
             <translation>espere um momento e tente de novo</translation>
+        </message>
+        <message>
+            <source>wait for room</source>
+            <translation>espere por espaço</translation>
         </message>
         <message>
             <source>wait longer, hold or stop it</source>
@@ -28097,6 +28549,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>work_offset deve ser um destes: {work_systems}</translation>
         </message>
         <message>
+            <source>write #1=2</source>
+            <translation>escreva #1=2</translation>
+        </message>
+        <message>
             <source>write 0 where the edge does not matter</source>
             <translation>escreva 0 onde a borda não importa</translation>
         </message>
@@ -28147,6 +28603,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write G17, G18 or G19 before</source>
             <translation>escreva G17, G18 ou G19 antes</translation>
+        </message>
+        <message>
+            <source>write G18</source>
+            <translation>escreva G18</translation>
         </message>
         <message>
             <source>write G18 before</source>
@@ -28201,6 +28661,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva G94 antes</translation>
         </message>
         <message>
+            <source>write HOST:PORT, as 127.0.0.1:2300</source>
+            <translation>escreva HOST:PORTA, como 127.0.0.1:2300</translation>
+        </message>
+        <message>
             <source>write KEY=VALUE, for example axis.x.steps_per_mm=80</source>
             <translation>escreva CHAVE=VALOR, por exemplo axis.x.steps_per_mm=80</translation>
         </message>
@@ -28209,8 +28673,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva M2 ou M30 como última linha</translation>
         </message>
         <message>
-            <source>write M5 ${0} before</source>
-            <translation>escreva M5 ${0} antes</translation>
+            <source>write M5 ${tool} before</source>
+            <translation>escreva M5 ${tool} antes</translation>
         </message>
         <message>
             <source>write M5 before</source>
@@ -28227,6 +28691,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write M70 before, in the same subroutine</source>
             <translation>escreva M70 antes, na mesma sub-rotina</translation>
+        </message>
+        <message>
+            <source>write M98 P1234</source>
+            <translation>escreva M98 P1234</translation>
+        </message>
+        <message>
+            <source>write N10</source>
+            <translation>escreva N10</translation>
         </message>
         <message>
             <source>write P010060, for example</source>
@@ -28259,6 +28731,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write [[operation]]</source>
             <translation>escreva [[operation]]</translation>
+        </message>
+        <message>
+            <source>write [[press]] with pin (one of {names}), at_s and, if not {tap_s:g}, for_s</source>
+            <translation>escreva [[press]] com pin (um de {names}), at_s e, se não {tap_s:g}, for_s</translation>
+        </message>
+        <message>
+            <source>write [[{key}]]</source>
+            <translation>escreva [[{key}]]</translation>
         </message>
         <message>
             <source>write a G0 or G1 before</source>
@@ -28397,6 +28877,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva por exemplo XYZ, ou só Z</translation>
         </message>
         <message>
+            <source>write for example: b 5</source>
+            <translation>escreva, por exemplo: b 5</translation>
+        </message>
+        <message>
             <source>write for grbl or linuxcnc</source>
             <translation>escreva para grbl ou linuxcnc</translation>
         </message>
@@ -28491,6 +28975,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
             <translation>escreva movimentos simples, cada um em sua linha, em coordenadas não giradas</translation>
+        </message>
+        <message>
+            <source>write rows = [{ ... }, { ... }]</source>
+            <translation>escreva rows = [{ ... }, { ... }]</translation>
         </message>
         <message>
             <source>write rules: [[rule]]</source>
@@ -28605,10 +29093,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva x_is = "{own}" ou dê ao controlador o nome "{name}:x={x_is}"</translation>
         </message>
         <message>
-            <source>write {0} to {1}</source>
-            <translation>escreva de {0} a {1}</translation>
-        </message>
-        <message>
             <source>write {keyword} [condition]</source>
             <translation>escreva {keyword} [condição]</translation>
         </message>
@@ -28619,6 +29103,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write {key} = "name"</source>
             <translation>escreva {key} = "nome"</translation>
+        </message>
+        <message>
+            <source>write {least} to {most}</source>
+            <translation>escreva de {least} a {most}</translation>
         </message>
         <message>
             <source>write {number} within these bounds: {why}</source>
@@ -28841,6 +29329,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{count} elementos são de um idioma: são lidos os que estão em inglês ou em nenhum</translation>
         </message>
         <message>
+            <source>{count} jobs run</source>
+            <translation>{count} trabalhos estão em execução</translation>
+        </message>
+        <message>
             <source>{count} joints do not fit on {chain}</source>
             <translation>{count} microjunções não cabem em {chain}</translation>
         </message>
@@ -29015,6 +29507,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
             <translation>{hanging} peça(s) fica(m) unida(s) a outras, pois a ferramenta não cabe entre elas; o lugar mais estreito fica em X{x:.3f} Y{y:.3f}</translation>
+        </message>
+        <message>
+            <source>{heard} at {port}</source>
+            <translation>{heard} em {port}</translation>
         </message>
         <message>
             <source>{high:g} by {high2:g} mm</source>
@@ -29337,6 +29833,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{match} não é um número</translation>
         </message>
         <message>
+            <source>{meaning} (ALARM:{number})</source>
+            <translation>{meaning} (ALARM:{number})</translation>
+        </message>
+        <message>
             <source>{meaning} (error:{error})</source>
             <translation>{meaning} (error:{error})</translation>
         </message>
@@ -29591,6 +30091,22 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
             <translation>{one} corta uma peça que {other} já soltou: nada a segura</translation>
+        </message>
+        <message>
+            <source>{option} and {other} would write the same file</source>
+            <translation>{option} e {other} escreveriam o mesmo arquivo</translation>
+        </message>
+        <message>
+            <source>{option} would replace a file of another kind, or of somebody else's</source>
+            <translation>{option} substituiria um arquivo de outro tipo, ou de outra pessoa</translation>
+        </message>
+        <message>
+            <source>{option} would replace a file that exists already</source>
+            <translation>{option} substituiria um arquivo que já existe</translation>
+        </message>
+        <message>
+            <source>{option} would write over {what}</source>
+            <translation>{option} escreveria sobre {what}</translation>
         </message>
         <message>
             <source>{owner} by way of a place cannot be turned</source>

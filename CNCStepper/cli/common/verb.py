@@ -18,7 +18,7 @@ import click
 
 from CNCStepper.cli.common.option_hints import add_conversion, add_option_hint
 from CNCStepper.cli.common.path_types import InputFolder, InputPath, OutputPath, as_typed
-from CNCStepper.errors import CNCStepperError, ProgramError
+from CNCStepper.errors import CNCStepperError, ProgramError, Text
 from CNCStepper.output_files import Input, Output, check_outputs
 
 OVERWRITE = "CNCStepper.overwrite"  # in a context's meta
@@ -104,15 +104,22 @@ def _inputs(outputs: Sequence[Output], context: click.Context) -> Iterator[Input
         else:
             continue
         what = _spelled(param)
-        yield Input(file, f"{what}, which is read" if what.startswith("--") else f"{what.lower()} that is read")
+        yield Input(file, _as_read(what))
         for named in files_named(file):
-            yield Input(named, f"a file that {what.lower()} names")
+            yield Input(named, Text("a file that {what} names", what=what.lower()))
         if param.name == "program":
             programs.append(file)
     if any(output.path.suffix.lower() in SUBROUTINES and output.path.exists() for output in outputs):
         for program in programs:
             for file in _called(program, folders):
-                yield Input(file, "a subroutine that is called")
+                yield Input(file, Text("a subroutine that is called"))
+
+
+def _as_read(what: str) -> Text:
+    """Return an option or an argument as a sentence names the file that it reads."""
+    if what.startswith("--"):
+        return Text("{what}, which is read", what=what)
+    return Text("{what} that is read", what=what.lower())
 
 
 def files_named(file: Path) -> list[Path]:
