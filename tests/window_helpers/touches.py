@@ -54,7 +54,7 @@ class Touches:
 
     def note_command(self, name: str) -> None:
         """Note a command whose keys were pressed."""
-        self.touched.add(name)
+        self.touched.update([name] if name.startswith(OURS) else [])
 
     def _note(self, there: object, spot: object) -> None:
         from PySide import QtGui
@@ -63,8 +63,8 @@ class Touches:
         self.seen.update(general(widget.objectName()) for widget in shown)
         if there is None:
             return
-        around = [widget for widget in shown if widget is there or widget.isAncestorOf(there)]
-        innermost = [widget for widget in around if not any(widget.isAncestorOf(other) for other in around)]
+        around = [widget for widget in shown if widget.isAncestorOf(there)]  # Qt: also of itself
+        innermost = [widget for widget in around if sum(widget.isAncestorOf(other) for other in around) == 1]
         self.touched.update(general(widget.objectName()) for widget in innermost)
         if spot is not None and isinstance(there, QtGui.QMenu):
             self._note_menu(there, there.actionAt(there.mapFromGlobal(spot)))
