@@ -1608,6 +1608,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Kerf of shared cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Kerning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -2572,6 +2576,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Shared Kerf</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Sheet Count</source>
             <translation type="unfinished"></translation>
         </message>
@@ -3125,6 +3133,10 @@
         </message>
         <message>
             <source>The job with the machine, stock, tools and clamps for the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The kerf for which neighbours on a nested sheet share cuts; 0: none do</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7179,6 +7191,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Kerf of shared cuts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Kerning</source>
             <translation type="unfinished"></translation>
         </message>
@@ -10138,6 +10154,10 @@ the height</source>
         </message>
         <message>
             <source>The journal</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The kerf for which neighbours on a nested sheet share cuts; 0: none do</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

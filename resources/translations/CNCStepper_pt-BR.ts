@@ -1608,6 +1608,10 @@
             <translation>Largura de corte usada</translation>
         </message>
         <message>
+            <source>Kerf of shared cuts</source>
+            <translation>Largura dos cortes comuns</translation>
+        </message>
+        <message>
             <source>Kerning</source>
             <translation>Kerning</translation>
         </message>
@@ -2572,6 +2576,10 @@
             <translation>Como é a matéria-prima</translation>
         </message>
         <message>
+            <source>Shared Kerf</source>
+            <translation>Largura de corte comum</translation>
+        </message>
+        <message>
             <source>Sheet Count</source>
             <translation>Número de chapas</translation>
         </message>
@@ -3126,6 +3134,10 @@
         <message>
             <source>The job with the machine, stock, tools and clamps for the program</source>
             <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
+        </message>
+        <message>
+            <source>The kerf for which neighbours on a nested sheet share cuts; 0: none do</source>
+            <translation>A largura de corte com que as peças vizinhas da chapa têm cortes em comum; 0: nenhuma tem</translation>
         </message>
         <message>
             <source>The layer in the file</source>
@@ -7179,6 +7191,10 @@
             <translation>Largura de corte por avanço</translation>
         </message>
         <message>
+            <source>Kerf of shared cuts</source>
+            <translation>Largura dos cortes comuns</translation>
+        </message>
+        <message>
             <source>Kerning</source>
             <translation>Kerning</translation>
         </message>
@@ -10141,6 +10157,10 @@ altura</translation>
         <message>
             <source>The journal</source>
             <translation>O diário</translation>
+        </message>
+        <message>
+            <source>The kerf for which neighbours on a nested sheet share cuts; 0: none do</source>
+            <translation>A largura de corte com que as peças vizinhas da chapa têm cortes em comum; 0: nenhuma tem</translation>
         </message>
         <message>
             <source>The last job of this machine, {0}, was not cut to its end. Unfinished job… shows how far it came.</source>

@@ -153,6 +153,17 @@ def test_parts_of_two_thicknesses_lie_apart(document: Any, plate: Any, disc: Any
 def test_common_lines_give_blocks_and_lines(document: Any, plate: Any, tmp_path: Path) -> None:
     nest = nested(document, [(plate, {"count": 2})], tmp_path, gap_mm=0.0, kerf_mm=0.4, common_lines=True)
     assert problem_of(nest) == "" and {each.Layer for each in nest.Group[0].Group} == {"SHEET", "CUT", "COMMON"}
+    sheet = {"stock_form": "sheet", "stock_size_mm": (200, 100, 3)}
+    job = api.new_job(document, machine="laser-table", process="laser", material="plywood", **sheet)
+    cut = next(each for each in nest.Group[0].Group if each.Layer == "CUT")
+    operation = api.add_operation(job, "sheet_cut", cut, kerf_mm=0.4)
+    document.recompute()
+    assert api.program_text(job)
+    operation.Kerf = 0.3
+    document.recompute()
+    with pytest.raises(JobError, match="another kerf than the nest") as refused:
+        api.job_model(job)
+    assert (refused.value.value, refused.value.limit) == ("0.3 mm", "0.4 mm")
     nest.Gap = 1.0
     with pytest.raises(JobError, match="no gap between their cuts"):
         api.nest_parts(nest)

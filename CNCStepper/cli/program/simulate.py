@@ -94,10 +94,8 @@ def command(
     out.parent.mkdir(parents=True, exist_ok=True)
     if out.suffix.lower() == ".png" and view in (None, "depth") and at_s is line is None:
         words["see"] = partial(_show_first, out)
-    if job:
-        proof = prove_job(job, machine, text, **words)
-    else:
-        proof = prove(text, machine, stock=given.stock, tools=given.tool, **words)
+    own: dict[str, Any] = {"stock": given.stock, "tools": given.tool}
+    proof = prove_job(job, machine, text, **words) if job else prove(text, machine, **own, **words)
     show = _Show(proof, program.stem)
     show.draw(out, view, show.time_s(at_s, line))
     if stl:

@@ -87,7 +87,6 @@ def command(
     """
     from CNCStepper.job.batch.sheet_template import sheet_size_mm
     from CNCStepper.job.slicing.make_slices import SOLIDS, sections_of
-    from CNCStepper.job.slicing.slice_files import write_stack
     from CNCStepper.job.slicing.slice_programs import on_sheets
     from CNCStepper.job.slicing.solid_slices import stack_of
 
@@ -101,9 +100,21 @@ def command(
         shop = on_sheets(shop, size_mm)
     with Progress("slicing"):
         stack = stack_of(sections_of(solid, axis.lower(), thickness_mm, scale), names, hole_mm)
+    _write_stack(stack, out, f"{solid.stem}, axis {axis.upper()}")
+    if size_mm is None:
+        return
+    layout = _nest(stack, size_mm, gap_mm, margin_mm, time_s, out)
+    is_sound = shop is None or _make(shop, out, layout.sheets, thickness_mm)
+    sys.exit(0 if is_sound and not layout.unplaced else 1)
+
+
+def _write_stack(stack: Stack, out: Path, title: str) -> None:
+    """Write the slices, and print their notes, how many they are and their volume."""
+    from CNCStepper.job.slicing.slice_files import write_stack
+
     for note in stack.notes:
         show_text("   note: {note}", err=True, note=note)
-    paths = write_stack(stack, out, f"{solid.stem}, axis {axis.upper()}")
+    paths = write_stack(stack, out, title)
     share = stack.volume_mm3 / stack.solid_volume_mm3 - 1.0
     show_text(
         "{parent}: {slices} sheets, {volume_mm3:.6g} mm3, {share:+.3%} of the solid",
@@ -112,11 +123,6 @@ def command(
         volume_mm3=stack.volume_mm3,
         share=share,
     )
-    if size_mm is None:
-        return
-    layout = _nest(stack, size_mm, gap_mm, margin_mm, time_s, out)
-    is_sound = shop is None or _make(shop, out, layout.sheets, thickness_mm)
-    sys.exit(0 if is_sound and not layout.unplaced else 1)
 
 
 def _template(path: Path | None, machine: str) -> Template | None:

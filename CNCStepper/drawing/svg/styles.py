@@ -33,10 +33,14 @@ SAME_AS_COLOUR = ("currentcolor", "context-stroke", "context-fill")
 NO_COLOURS = ("none", "inherit", *SAME_AS_COLOUR)
 MARKERS = ("marker", "marker-start", "marker-mid", "marker-end")
 OWN = {"display", "clip-path", "mask", "opacity", "baseline-shift", "transform", "transform-origin"}
-KNOWN = INHERITED | OWN
-PLACES = {"transform", "transform-origin"}  # of attributes these are the element's own: hardly two look alike
+GEOMETRY = {"x", "y", "cx", "cy", "r", "rx", "ry", "width", "height", "d"}  # SVG 2: in styles they are stronger
+NOT_INHERITED = OWN | GEOMETRY
+KNOWN = INHERITED | NOT_INHERITED
+PLACES = {"transform", "transform-origin"} | GEOMETRY  # of attributes the element's own: hardly two look alike
 AT_RULE = re.compile(r"@([\w-]+)([^;{]*)([;{]?)")
 BRACE = re.compile("[{}]")
+CSS_LENGTH = re.compile(r"[+-]?0+|[+-]?[\d.]+(?:e[+-]?\d+)?(?:[a-z]+|%)", re.ASCII | re.IGNORECASE)  # it has a unit
+CSS_PATH = re.compile(r"""path\(\s*(?:(?:nonzero|evenodd)\s*,\s*)?(?P<mark>["'])(?P<data>[^"']*)(?P=mark)\s*\)""")
 MEDIA = ("screen", "all")
 MOST_RULES = 5_000
 MOST_SHEET = 1_000_000  # characters of all <style> elements
@@ -88,6 +92,11 @@ class Style(dict[str, str]):
     def fill(self) -> str | None:
         """The fill's colour, as `colour_of` returns it."""
         return colour_of(self.get("fill", "black"), self)
+
+    @cached_property
+    def geometry(self) -> dict[str, str]:
+        """What styles, and no attributes, say of place, size and path: `d` as an attribute has it, else lengths."""
+        return {name: self[name] for name in GEOMETRY & self.keys()}
 
     @cached_property
     def displayed(self) -> bool:
@@ -285,8 +294,23 @@ def _parsed(text: str) -> Iterator[Declaration]:
         before, mark, after = value.rpartition("!")
         important = bool(mark) and after.strip().casefold() == "important"
         value = (before if important else value).strip()
-        if name in KNOWN and (name not in PAINTS or _is_paint(value)):
-            yield Declaration(name, value, important)
+        if name in KNOWN and _counts(name, value):
+            yield Declaration(name, _path_data(value) if name == "d" else value, important)
+
+
+def _counts(name: str, value: str) -> bool:
+    """Return whether a property has a value that counts: a browser leaves out paints and lengths that are none."""
+    if name in PAINTS:
+        return _is_paint(value)
+    if name == "d":
+        return value == "none" or CSS_PATH.fullmatch(value) is not None
+    return name not in GEOMETRY or CSS_LENGTH.fullmatch(value) is not None
+
+
+def _path_data(value: str) -> str:
+    """Return the data in CSS's path("…"), "" for none."""
+    found = CSS_PATH.fullmatch(value)
+    return found["data"] if found else ""
 
 
 def styled(element: Element, inherited: Style, sheet: StyleSheet, ancestors: list[Element]) -> Style:
@@ -295,7 +319,7 @@ def styled(element: Element, inherited: Style, sheet: StyleSheet, ancestors: lis
         return inherited
     attributes = tuple([item for item in element.attributes.items() if item[0] in KNOWN and item[0] not in PLACES])
     rules, text = sheet.of(element, ancestors), element.get("style")
-    if not (attributes or rules or text or OWN & inherited.keys()):
+    if not (attributes or rules or text or NOT_INHERITED & inherited.keys()):
         return inherited
     key = id(inherited), attributes, rules, text
     if key not in sheet.made:
@@ -310,9 +334,9 @@ def styled(element: Element, inherited: Style, sheet: StyleSheet, ancestors: lis
 
 def _cascaded(inherited: Style, own: dict[str, str]) -> Style:
     """Return the style of an element by that around it and what it declares itself, the strongest of each property."""
-    if not own and not OWN & inherited.keys():
+    if not own and not NOT_INHERITED & inherited.keys():
         return inherited
-    result = Style((name, value) for name, value in inherited.items() if name not in OWN)
+    result = Style((name, value) for name, value in inherited.items() if name not in NOT_INHERITED)
     result.update((name, value) for name, value in own.items() if value != "inherit")
     if "font-size" in own or "font" in own:
         _settle_font(result, own, font_size(inherited))

@@ -262,7 +262,7 @@ class _Walk:
         if id(target) in context.uses or len(context.uses) >= MOST_USES or len(above) > DEEPEST:
             self._skip(element, context, "it uses itself, or too many others within each other")
             return
-        x, y = (length(element.get(key), whole, 0.0) for key, whole in zip("xy", context.viewport, strict=True))
+        x, y = _lengths(element, context, "x y")
         context = context._replace(
             matrix=context.matrix @ Matrix(shift=complex(x, y)), uses=(*context.uses, id(target))
         )
@@ -382,15 +382,12 @@ def _speaks(languages: str) -> bool:
 
 def _in_viewport(element: Element, sized: Element, context: _Context) -> _Context:
     """Return the context inside a nested <svg> or a <symbol>, of which `sized` gives the size."""
+    own = context.style.geometry if sized is element else {}
     width, height = (
-        length(sized.get(key) or element.get(key), whole, whole)
+        length(own.get(key) or sized.get(key) or element.get(key), whole, whole)
         for key, whole in zip(("width", "height"), context.viewport, strict=True)
     )
-    x, y = (
-        (length(element.get(key), whole, 0.0) for key, whole in zip("xy", context.viewport, strict=True))
-        if element.name == "svg"
-        else (0.0, 0.0)
-    )
+    x, y = _lengths(element, context, "x y") if element.name == "svg" else (0.0, 0.0)
     matrix, box = context.matrix @ Matrix(shift=complex(x, y)), view_box(element.get("viewBox"))
     if box and width > 0.0 and height > 0.0:
         matrix = matrix @ fitted(box, width, height, element.get("preserveAspectRatio"))
@@ -400,7 +397,8 @@ def _in_viewport(element: Element, sized: Element, context: _Context) -> _Contex
 
 def _lengths(element: Element, context: _Context, keys: str, otherwise: float = 0.0) -> list[float]:
     """Return lengths of an element in user units: of the width, the height, or for radii of both."""
-    return [_length(element.get(key), key, context, otherwise) for key in keys.split()]
+    own = context.style.geometry
+    return [_length(own.get(key) or element.get(key), key, context, otherwise) for key in keys.split()]
 
 
 def _length(text: str, key: str, context: _Context, otherwise: float) -> float:
@@ -452,7 +450,7 @@ def _polyline(pen: PlacedPen, element: Element, context: _Context) -> None:
 
 
 def _path(pen: PlacedPen, element: Element, context: _Context) -> None:
-    draw_path(pen, element.get("d"))
+    draw_path(pen, context.style.geometry.get("d", element.get("d")))
 
 
 SHAPES: dict[str, Callable[[PlacedPen, Element, _Context], None]] = {

@@ -49,6 +49,7 @@ class ImportedDrawing:
     changes: Told
     skipped: Told
     warnings: tuple[str, ...]
+    kerf_mm: float | None = None  # for which neighbours on a nested sheet share cuts
 
 
 def read_imported(
@@ -72,6 +73,7 @@ def read_imported(
         Told.of(changes),
         Told.of(drawing.skipped),
         _warnings(drawing),
+        drawing.kerf_mm,
     )
 
 
@@ -92,6 +94,7 @@ def packed(imported: ImportedDrawing) -> Packed:
         "state": asdict(imported.state),
         "unit_mm": imported.unit_mm,
         "warnings": list(imported.warnings),
+        "kerf_mm": imported.kerf_mm,
         **{name: _rows(getattr(imported, name)) for name in KINDS},
     }
 
@@ -108,7 +111,9 @@ def unpacked(content: Packed) -> ImportedDrawing:
     ]
     told = {name: Told(content[name][0], tuple(kind(*row) for row in content[name][1])) for name, kind in KINDS.items()}
     state, warnings = FileState(**content["state"]), tuple(content["warnings"])
-    return ImportedDrawing(tuple(chains), state, content["unit_mm"], warnings=warnings, **told)
+    return ImportedDrawing(
+        tuple(chains), state, content["unit_mm"], warnings=warnings, kerf_mm=content["kerf_mm"], **told
+    )
 
 
 KINDS: dict[str, Any] = {"problems": Problem, "changes": Change, "skipped": Skipped}

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from CNCStepper.cycles.sheet_cutting.sheet_cut import SheetCut
 from CNCStepper.cycles.sheet_cutting.sheet_parameter_checks import measures_of
 from CNCStepper.errors import JobError, Text
@@ -31,16 +33,17 @@ def common_kerf_mm(job: Job) -> float:
     return widths_mm[0]
 
 
-def require_kerf(job: Job, nested_mm: float | None) -> None:
-    """Raise JobError where a sheet whose parts share cuts, nested for a kerf, is cut with another one."""
-    if nested_mm is None:
-        return
-    for number, kerf_mm in kerfs_mm(job).items():
-        if abs(kerf_mm - nested_mm) > COMMON_LINE_MM:
+def require_kerf(job: Job, nested_mm: Mapping[int, float]) -> None:
+    """Raise JobError where a sheet whose parts share cuts, nested for a kerf, is cut with another one.
+
+    nested_mm: the kerf of the nest, by the number from 1 of each operation that cuts such a sheet.
+    """
+    for number, kerf_mm in (kerfs_mm(job) if nested_mm else {}).items():
+        if abs(kerf_mm - nested_mm.get(number, kerf_mm)) > COMMON_LINE_MM:
             raise JobError(
                 "common-kerf",
                 Text("operation {number} has another kerf than the nest whose parts share cuts", number=number),
                 value=f"{kerf_mm:g} mm",
-                limit=f"{nested_mm:g} mm",
+                limit=f"{nested_mm[number]:g} mm",
                 advice=Text("nest again with kerf_mm = {kerf:g}, or correct the operation", kerf=kerf_mm),
             )

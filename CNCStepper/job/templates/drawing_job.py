@@ -30,7 +30,7 @@ from CNCStepper.job.drawings.read_any import read_any_drawing
 from CNCStepper.job.files.job_text import content_text
 from CNCStepper.job.model import Job, job_of_content
 from CNCStepper.job.shapes import DrawingForm
-from CNCStepper.job.templates.common_kerf import require_kerf
+from CNCStepper.job.templates.common_kerf import kerfs_mm, require_kerf
 from CNCStepper.job.templates.rules import Assignment, assigned, exceptions_of
 from CNCStepper.job.templates.template import OPEN_CYCLES, THROUGH, Rule, StockRule, Template
 from CNCStepper.machine.profile import profile_names
@@ -92,7 +92,7 @@ def job_of_drawing(
     title = f"{drawing_path.name} by the template {template.path.name}, {MADE_BY}"
     with placed(Place(str(template.path))):
         job = job_of_content(copy.deepcopy(content), job_path)
-        require_kerf(job, drawing.kerf_mm)
+        require_kerf(job, {} if drawing.kerf_mm is None else dict.fromkeys(kerfs_mm(job), drawing.kerf_mm))
     counts = tuple(
         (rule.named(number), len(chains))
         for number, (rule, chains) in enumerate(zip(template.rule, found.taken, strict=True), start=1)

@@ -20,6 +20,7 @@ from CNCStepper.workbench.assistant.start_page import StartPage
 from CNCStepper.workbench.assistant.values_page import ValuesPage
 from CNCStepper.workbench.assistant.widgets import NAME, Page
 from CNCStepper.workbench.machines.machine_test_connection import Bench
+from CNCStepper.workbench.services.front_window import in_front
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
@@ -123,7 +124,4 @@ def shown() -> Assistant:
         dialog = found
     else:
         dialog = Assistant(window)
-    dialog.show()
-    dialog.raise_()
-    dialog.activateWindow()
-    return dialog
+    return in_front(dialog)

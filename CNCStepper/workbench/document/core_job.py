@@ -12,6 +12,7 @@ from CNCStepper.job.cut_transfer import content_of, machine_content, program_tex
 from CNCStepper.job.deferred_fitting import once
 from CNCStepper.job.model import Job, StockForm, depends_on_contours
 from CNCStepper.job.request_digest import Content
+from CNCStepper.job.templates.common_kerf import require_kerf
 from CNCStepper.machine.profile import validated
 from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.calculation import result_cache
@@ -21,6 +22,7 @@ from CNCStepper.workbench.document.machine_of_job import machine_of
 from CNCStepper.workbench.document.operation_order import active_operations
 from CNCStepper.workbench.document.stock_of_job import stock_content
 from CNCStepper.workbench.features.base import problem_of, values
+from CNCStepper.workbench.features.cycle_operation import linked_drawings
 from CNCStepper.workbench.features.program import is_of_a_file, job_behind
 from CNCStepper.workbench.features.tool import model_of, tool_content
 
@@ -80,10 +82,24 @@ def _contour_contents(obj: Any) -> list[tuple[str, Content]]:
 
 
 def job_of(obj: Any) -> Job:
-    """Return a job object as the core's checked model."""
+    """Return a job object as the core's checked model; raises JobError for a kerf that is not that of its nest."""
     operations = active_operations(obj)
     tools = {operation.Tool.Name: operation.Tool for operation in operations}
-    return _model(obj, operations, list(tools.values()))
+    job = _model(obj, operations, list(tools.values()))
+    require_kerf(job, _nested_kerfs_mm(operations))
+    return job
+
+
+def _nested_kerfs_mm(operations: Sequence[Any]) -> dict[int, float]:
+    """Return the kerf of the nest for each operation on a sheet whose parts share cuts, by its number from 1."""
+    found = {}
+    for number, operation in enumerate(operations, start=1):
+        if operation.Proxy.CYCLE != "sheet_cut":
+            continue
+        groups = (drawing.getParentGroup() for drawing in linked_drawings(operation))
+        if kerfs_mm := [float(kerf) for group in groups if (kerf := getattr(group, "SharedKerf", 0.0))]:
+            found[number] = kerfs_mm[0]
+    return found
 
 
 def without_operations(obj: Any) -> Job:

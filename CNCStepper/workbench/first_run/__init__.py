@@ -21,12 +21,9 @@ def open_card() -> Any:
     import FreeCADGui
 
     from CNCStepper.workbench.first_run.card import NAME, Card
+    from CNCStepper.workbench.services.front_window import in_front
 
     window = FreeCADGui.getMainWindow()
     for former in window.findChildren(Card, NAME):
         former.deleteLater()
-    shown = Card(window)
-    shown.show()
-    shown.raise_()
-    shown.activateWindow()
-    return shown
+    return in_front(Card(window))

@@ -31,6 +31,7 @@ from CNCStepper.workbench.help.topics import (
     guide_file,
     slug,
 )
+from CNCStepper.workbench.services.front_window import in_front
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr
@@ -153,10 +154,7 @@ class HelpWindow(QtGui.QDialog):
 def open_help(address: str = CONTENTS, key: str = "") -> HelpWindow:
     """Open the help window of FreeCAD's window at a page and bring it to the front."""
     window = FreeCADGui.getMainWindow()
-    shown = window.findChild(QtGui.QDialog, NAME) or HelpWindow(window)
-    shown.show()
-    shown.raise_()
-    shown.activateWindow()
+    shown = in_front(window.findChild(QtGui.QDialog, NAME) or HelpWindow(window))
     QtCore.QTimer.singleShot(0, guarded(lambda: shown.open(address, key)))  # the window is painted before
     return shown
 

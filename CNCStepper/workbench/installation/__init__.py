@@ -8,13 +8,7 @@ from typing import Any
 
 def open_installation() -> Any:
     """Show the dialog in front, one for each FreeCAD, and return it; nothing is installed before a click."""
-    import FreeCADGui
-
     from CNCStepper.workbench.installation.dialog import NAME, Installer
+    from CNCStepper.workbench.services.front_window import only_window
 
-    window = FreeCADGui.getMainWindow()
-    shown = window.findChild(Installer, NAME) or Installer(window)
-    shown.show()
-    shown.raise_()
-    shown.activateWindow()
-    return shown
+    return only_window(Installer, NAME)

@@ -8,13 +8,7 @@ from typing import Any
 
 def open_letters() -> Any:
     """Show the window of pulse letters in front, one for each FreeCAD, and return it."""
-    import FreeCADGui
-
     from CNCStepper.workbench.letters.dialog import NAME, Letters
+    from CNCStepper.workbench.services.front_window import only_window
 
-    window = FreeCADGui.getMainWindow()
-    shown = window.findChild(Letters, NAME) or Letters(window)
-    shown.show()
-    shown.raise_()
-    shown.activateWindow()
-    return shown
+    return only_window(Letters, NAME)

@@ -18,6 +18,7 @@ from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.libraries.library_page import Page
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.choice_labels import words_of
+from CNCStepper.workbench.services.front_window import in_front
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
@@ -120,7 +121,4 @@ def shown() -> Libraries:
     found = window.findChild(QtGui.QDialog, NAME)
     dialog = found if isinstance(found, Libraries) else Libraries(window)
     dialog.look()
-    dialog.show()
-    dialog.raise_()
-    dialog.activateWindow()
-    return dialog
+    return in_front(dialog)

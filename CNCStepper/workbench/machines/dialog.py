@@ -25,6 +25,7 @@ from CNCStepper.workbench.machines.machine_test_view import MachineTest
 from CNCStepper.workbench.machines.sections import scrolled, sections
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.front_window import in_front
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
@@ -260,10 +261,7 @@ def shown(name: str = "") -> Machines:
     found = window.findChild(QtGui.QDialog, NAME)
     dialog = found if isinstance(found, Machines) else Machines(window)
     dialog.look(name)
-    dialog.show()
-    dialog.raise_()
-    dialog.activateWindow()
-    return dialog
+    return in_front(dialog)
 
 
 def _free_name(source: str) -> str:

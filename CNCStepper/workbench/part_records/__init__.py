@@ -8,13 +8,7 @@ from typing import Any
 
 def open_part_records() -> Any:
     """Show the window of part records in front, one for each FreeCAD, and return it."""
-    import FreeCADGui
-
     from CNCStepper.workbench.part_records.dialog import NAME, PartRecords
+    from CNCStepper.workbench.services.front_window import only_window
 
-    window = FreeCADGui.getMainWindow()
-    shown = window.findChild(PartRecords, NAME) or PartRecords(window)
-    shown.show()
-    shown.raise_()
-    shown.activateWindow()
-    return shown
+    return only_window(PartRecords, NAME)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -162,11 +163,11 @@ class PartRecords(QtGui.QDialog):
         self._button(row, "open", tr("Open…"), tr("Shows the records of a CSV file"), self._ask_to_open)
         tip = tr("Writes all as a CSV file, which spreadsheets open")
         self.save_button = self._button(
-            row, "save", tr("Save…"), tip, lambda: self._ask(self.save_file, RECORDS_SUFFIX, True)
+            row, "save", tr("Save…"), tip, lambda: self._ask_to_save(self.save_file, RECORDS_SUFFIX)
         )
         tip = tr("Writes both plots as a picture")
         self.plots_button = self._button(
-            row, "plots", tr("Save plots…"), tip, lambda: self._ask(self.save_plots, PLOTS_SUFFIX, True)
+            row, "plots", tr("Save plots…"), tip, lambda: self._ask_to_save(self.save_plots, PLOTS_SUFFIX)
         )
         return row
 
@@ -177,20 +178,23 @@ class PartRecords(QtGui.QDialog):
 
     def _ask_to_open(self) -> None:
         if self._may_lose():
-            self._ask(self.open_file, RECORDS_SUFFIX, False)
+            dialog = self._file_dialog(self.open_file, RECORDS_SUFFIX)
+            dialog.setFileMode(dialog.FileMode.ExistingFile)
+            dialog.open()
 
-    def _ask(self, take: Any, suffix: str, writing: bool) -> None:
-        """Ask for a file to write or to read."""
+    def _ask_to_save(self, write: Callable[[Path], None], suffix: str) -> None:
+        dialog = self._file_dialog(write, suffix)
+        dialog.setAcceptMode(dialog.AcceptMode.AcceptSave)
+        dialog.setDefaultSuffix(suffix)
+        dialog.open()
+
+    def _file_dialog(self, take: Callable[[Path], None], suffix: str) -> Any:
+        """Return a dialog for a file, not opened yet; `take` is called with the file."""
         dialog = QtGui.QFileDialog(self, self.windowTitle().removesuffix("[*]"), str(Path.home()), f"*.{suffix}")
         dialog.setObjectName(f"{NAME}_file")
         dialog.setAttribute(QtCore.Qt.WidgetAttribute.WA_DeleteOnClose)
-        if writing:
-            dialog.setAcceptMode(dialog.AcceptMode.AcceptSave)
-            dialog.setDefaultSuffix(suffix)
-        else:
-            dialog.setFileMode(dialog.FileMode.ExistingFile)
         dialog.fileSelected.connect(guarded(lambda path: take(Path(path))))
-        dialog.open()
+        return dialog
 
 
 def _words(name: str, readings: Readings, nominal_mm: float) -> str:

@@ -235,6 +235,33 @@ def test_what_is_marked_important_is_the_strongest(tmp_path: Path) -> None:
     assert colours == ["#ff0000", "#008080", "#00ff00", "#0000ff"]
 
 
+@pytest.mark.parametrize(
+    ("style", "body", "box"),
+    [
+        ("", '<rect x="1" width="9" height="5" style="x: 10px; y: 5px; width: 10mm"/>', [10, 40, 47.7953, 45]),
+        ("rect {width: 20%; height: 10px}", '<rect width="1" height="1"/>', [0, 40, 20, 50]),
+        ("#c {r: 4px; cx: 10px !important}", '<circle id="c" cx="9" cy="10" r="2" style="cx: 3px"/>', [6, 36, 14, 44]),
+        ("ellipse {rx: 4px; ry: 2px}", '<ellipse cx="9" cy="10" rx="1" ry="1"/>', [5, 38, 13, 42]),
+        ("", """<path d="M0 0h1v1" style='d: path("M0 0h8v8z")'/>""", [0, 42, 8, 50]),
+        ("use {x: 20px} g {x: 50px}", '<use href="#r" y="10"/><defs><rect id="r" width="2" height="2"/></defs>',
+         [20, 38, 22, 40]),
+        ("svg svg {x: 30px}", '<svg x="1" width="9" height="9"><rect width="2" height="2"/></svg>', [30, 48, 32, 50]),
+        ("rect {width: 20; height: auto}", '<rect width="3" height="4"/>', [0, 46, 3, 50]),
+        ("g {width: 50px}", '<g><rect width="3" height="4"/></g>', [0, 46, 3, 50]),
+    ],
+)  # fmt: skip
+def test_places_and_sizes_in_styles_are_stronger_than_attributes(
+    tmp_path: Path, style: str, body: str, box: list[float]
+) -> None:
+    (found,) = boxes(drawing(tmp_path, f"<style>{style}</style>{body}"))
+    assert found == pytest.approx(box, abs=0.005)  # the tolerance of an ellipse
+
+
+def test_a_path_that_styles_take_away_is_not_drawn(tmp_path: Path) -> None:
+    body = """<style>.off {d: none}</style><path class="off" d="M0 0h9v9z"/><path d="M0 0h2v2z" style="d: M0 0h9"/>"""
+    assert boxes(drawing(tmp_path, body)) == [[0, 48, 2, 50]]
+
+
 def test_of_several_languages_one_is_read_and_told(tmp_path: Path) -> None:
     body = """<switch><title/><rect systemLanguage="it" width="1" height="2"/>
     <rect systemLanguage="de, en-US" width="2" height="2"/><rect width="3" height="2"/></switch>

@@ -97,6 +97,8 @@ class Drawing(Feature):
         Property("chains", "Chains", INTEGER, FOUND, later("Contours"), later("How many there are"), 0, output=True),
         Property("faults", "Faults", INTEGER, FOUND, later("Faults"),
                  later("How many gaps, doubles, crossings and other faults were found"), 0, output=True),
+        Property("kerf_mm", "SharedKerf", DISTANCE, FOUND, later("Kerf of shared cuts"),
+                 later("The kerf for which neighbours on a nested sheet share cuts; 0: none do"), 0.0, output=True),
         Property("state", "FileState", TEXT, FOUND, later("State"),
                  later("Whether the file is as it was read"), UNREAD, output=True),
         Property("read_with", READ, TEXT, FOUND, later("Read"), later("How it was read last"), "", output=True),
@@ -249,6 +251,7 @@ def applied(obj: Any, imported: ImportedDrawing) -> Iterator[None]:
         obj.Document.removeObject(gone.Name)
     obj.Group = [*group, *others]
     obj.Chains, obj.Faults = len(imported.chains), imported.problems.count
+    obj.SharedKerf = imported.kerf_mm or 0.0
     obj.ReadWith = json.dumps({"key": read_key(obj), "state": asdict(imported.state)})
     obj.Report = text_json.dumps(_report(imported))
     set_state(obj, CURRENT)
