@@ -22509,15 +22509,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nothing answers</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>nothing answers at {name}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>nothing answers at {name}: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing answers at {port}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23709,7 +23709,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>something else than grbl answers</source>
+            <source>something else than grbl answers at {port}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29502,10 +29502,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>{heard} at {port}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

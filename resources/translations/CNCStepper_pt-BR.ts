@@ -22533,16 +22533,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>notes deve ser uma lista</translation>
         </message>
         <message>
-            <source>nothing answers</source>
-            <translation>nada responde</translation>
-        </message>
-        <message>
             <source>nothing answers at {name}: {error}</source>
             <translation>nada responde em {name}: {error}</translation>
         </message>
         <message>
             <source>nothing answers at {name}: {text}</source>
             <translation>nada responde em {name}: {text}</translation>
+        </message>
+        <message>
+            <source>nothing answers at {port}</source>
+            <translation>nada responde em {port}</translation>
         </message>
         <message>
             <source>nothing has been cut yet, so there is no way back</source>
@@ -23733,8 +23733,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>sólidos do arquivo se sobrepõem na chapa {number}</translation>
         </message>
         <message>
-            <source>something else than grbl answers</source>
-            <translation>quem responde não é um grbl</translation>
+            <source>something else than grbl answers at {port}</source>
+            <translation>quem responde em {port} não é um grbl</translation>
         </message>
         <message>
             <source>spacing_mm asks for more than {most_tabs} tabs on one contour</source>
@@ -29527,10 +29527,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{hanging} piece(s) stay joined to others, for the tool does not fit between them; the tightest place is at X{x:.3f} Y{y:.3f}</source>
             <translation>{hanging} peça(s) fica(m) unida(s) a outras, pois a ferramenta não cabe entre elas; o lugar mais estreito fica em X{x:.3f} Y{y:.3f}</translation>
-        </message>
-        <message>
-            <source>{heard} at {port}</source>
-            <translation>{heard} em {port}</translation>
         </message>
         <message>
             <source>{high:g} by {high2:g} mm</source>

@@ -22,7 +22,7 @@ OURS = "CNCStepper_"
 FILE = "touches.json"
 PICTURES = Path(__file__).resolve().parents[2] / "build" / "window"
 KINDS = ("QAbstractButton", "QLineEdit", "QAbstractSpinBox", "QComboBox", "QAbstractItemView", "QAbstractSlider")
-KINDS += ("QPlainTextEdit", "QTextEdit", "QTabWidget", "QTabBar", "QDoubleSpinBox")
+KINDS += ("QPlainTextEdit", "QTextEdit", "QTabWidget")
 ROW = re.compile(r"(?<=_)\d+(?=_|$)")
 
 
@@ -54,7 +54,8 @@ class Touches:
 
     def note_command(self, name: str) -> None:
         """Note a command whose keys were pressed."""
-        self.touched.update([name] if name.startswith(OURS) else [])
+        if name.startswith(OURS):
+            self.touched.add(name)
 
     def _note(self, there: object, spot: object) -> None:
         from PySide import QtGui
@@ -88,10 +89,10 @@ class Touches:
 
 
 def _shown() -> list[object]:
-    """Return our widgets on the screen that a person can click or type into; those without a name stand for no one."""
-    from window_helpers import screen_places
+    """Return our named widgets on the screen that a person can click or type into."""
+    from window_helpers import screen_places  # needs Qt, as no reader of the files does
 
-    named = [widget for widget in screen_places._widgets() if widget.objectName().startswith(OURS)]
+    named = [widget for widget in screen_places.all_widgets() if widget.objectName().startswith(OURS)]
     return [widget for widget in named if widget.isVisible() and any(widget.inherits(kind) for kind in KINDS)]
 
 

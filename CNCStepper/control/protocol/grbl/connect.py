@@ -238,10 +238,10 @@ def _checked(driver: Grbl, received: Sequence[Received]) -> Sequence[Received]:
 
 
 def _not_grbl(driver: Grbl, timing: Timing, said: list[Received]) -> LinkError:
-    heard = "something else than grbl answers" if said else "nothing answers"
+    heard = "something else than grbl answers at {port}" if said else "nothing answers at {port}"
     return LinkError(
         "not-grbl",
-        Text("{heard} at {port}", heard=heard, port=driver.link.name),
+        Text(heard, port=driver.link.name),
         value=f"{timing.wake_s:g} s",
         advice=_check_controller(driver.link, "check power, cable, port and baud rate of the controller"),
     )

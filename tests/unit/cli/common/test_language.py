@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import ast
 import os
-import re
 import subprocess
 import sys
 from pathlib import Path
@@ -24,7 +23,6 @@ ROOT = Path(__file__).parents[4]
 PORTUGUESE = {OVERRIDE: "", "LANGUAGE": "", "LC_ALL": "", "LC_MESSAGES": "", "LANG": "pt_BR.UTF-8"}
 CATALOGUES = load("translations")
 TEXTS = CATALOGUES.command_line_texts()
-PUT_TOGETHER = re.compile(r"\{\d+\}")  # as refusal_codes writes the values of an f-string
 OF_DEVELOPERS = {  # click says these of a command line that is declared wrong, or where it edits, which none does
     "{editor}: Editing failed",
     "Windows error: {error}",
@@ -165,15 +163,6 @@ def test_windows_gives_the_language_of_its_interface(monkeypatch: pytest.MonkeyP
 def test_a_refusal_keeps_its_values_and_its_code(portuguese: None) -> None:
     error = ProgramError("tool-length", Text("{package} is not installed", package="numba"), value="3 mm")
     assert translated(error.text) == "numba não está instalado (valor 3 mm) [tool-length]"
-
-
-@pytest.mark.slow
-def test_no_refusal_is_put_together_before_it_is_translated() -> None:
-    """Its template is what the catalogue holds; test_translations holds that the templates are all in it."""
-    refusals = CATALOGUES.beside("refusal_codes").refusals().values()
-    sayings = {part for refusal in refusals for saying in refusal.sayings for part in saying}
-    assert len(sayings) > 1500
-    assert [saying for saying in sayings if PUT_TOGETHER.search(saying)] == []
 
 
 def test_refusals_of_files_are_portuguese_with_their_values(portuguese: None, tmp_path: Path) -> None:

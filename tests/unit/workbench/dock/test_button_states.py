@@ -97,9 +97,8 @@ def test_a_machine_without_switches_cannot_home_and_says_so() -> None:
 
 def test_the_outline_is_run_wherever_a_job_can_be_sent() -> None:
     assert why_not_outline(ControllerSnapshot("idle", position_known=True)) == ""
-    assert (
-        why_not_outline(ControllerSnapshot("idle", position_known=None)) == ""
-    )  # nobody has homed it, nothing is lost
+    not_homed = ControllerSnapshot("idle", position_known=None)  # by nobody, so nothing is lost either
+    assert why_not_outline(not_homed) == ""
     assert why_not_outline(ControllerSnapshot("idle", position_known=False)) == LOST
     assert why_not_outline(ControllerSnapshot("running")) == RULES["outline"].why_not
     assert why_not_outline(ControllerSnapshot()) == NOT_CONNECTED
