@@ -22,7 +22,7 @@ import click  # noqa: E402
 from pydantic import BaseModel  # noqa: E402
 
 from CNCStepper.cli.main import FAMILIES, OTHER_NAMES, group  # noqa: E402
-from CNCStepper.cycles.catalogue import CYCLES  # noqa: E402
+from CNCStepper.cycles.catalogue import CYCLES, cycle_class  # noqa: E402
 from CNCStepper.cycles.holes.hole_parameters import PATTERNS  # noqa: E402
 from CNCStepper.cycles.parameter import Declared, Parameters, declared  # noqa: E402
 from CNCStepper.cycles.turning.turning_operation import TURNING_OPERATIONS  # noqa: E402
@@ -69,7 +69,7 @@ turning](../user-guide/turning.md) has the other tables of a lathe's job. Every 
 
 def tables() -> str:
     """Return the reference of all cycles and patterns in Markdown, then of the lathe's cycles."""
-    known = list(rows_of_cycle(CYCLES[MODEL]))
+    known = list(rows_of_cycle(cycle_class(MODEL)))
     parts = [cycle_part(name, known if name != MODEL else []) for name in CYCLES]
     common = list(rows(declared(TurningParameters), ""))
     turning = [TURNING_HEAD, *HEAD, *common, "", *(turning_part(name, common) for name in TURNING_OPERATIONS)]
@@ -84,7 +84,7 @@ def turning_part(name: str, common: list[str]) -> str:
 
 def cycle_part(name: str, known: list[str]) -> str:
     """Return heading and table of a cycle; `known` are rows that need not stand here when it has nearly all of them."""
-    rows = list(rows_of_cycle(CYCLES[name]))
+    rows = list(rows_of_cycle(cycle_class(name)))
     own = [row for row in rows if row not in known]
     few = len(known) and len(rows) - len(own) > len(known) - 2
     shapes = ", ".join(f"`{key.says}`" for key in SHAPE_KEYS.get(name, ()))

@@ -1,38 +1,31 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The cycles by the names that job files use."""
+"""The cycles by the names that job files use; a cycle is loaded when it is first asked for.
+
+Loading all of them takes longer than most of them need to make a program.
+"""
 
 from __future__ import annotations
 
+import importlib
+
 from pydantic import BaseModel
 
-from CNCStepper.cycles.contours.contour import Contour
-from CNCStepper.cycles.contours.engrave import Engrave
-from CNCStepper.cycles.facing.face import Face
-from CNCStepper.cycles.holes.bore import Bore
-from CNCStepper.cycles.holes.drill import Drill
-from CNCStepper.cycles.holes.thread_milling import Thread
-from CNCStepper.cycles.pockets.circular_pocket import CircularPocket
-from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
-from CNCStepper.cycles.pockets.pocket import Pocket
-from CNCStepper.cycles.pockets.rectangular_pocket import RectangularPocket
-from CNCStepper.cycles.sheet_cutting.sheet_cut import SheetCut
-from CNCStepper.cycles.wire_cutting.wire_cut import WireCut
 from CNCStepper.errors import JobError, Text
 from CNCStepper.quantities import shown
 
-CYCLES: dict[str, type[BaseModel]] = {
-    "bore": Bore,
-    "circular_pocket": CircularPocket,
-    "contour": Contour,
-    "drill": Drill,
-    "elliptical_pocket": EllipticalPocket,
-    "engrave": Engrave,
-    "face": Face,
-    "pocket": Pocket,
-    "rectangular_pocket": RectangularPocket,
-    "sheet_cut": SheetCut,
-    "thread": Thread,
-    "wire_cut": WireCut,
+CYCLES = {  # the class of each, in a module of this package
+    "bore": "holes.bore.Bore",
+    "circular_pocket": "pockets.circular_pocket.CircularPocket",
+    "contour": "contours.contour.Contour",
+    "drill": "holes.drill.Drill",
+    "elliptical_pocket": "pockets.elliptical_pocket.EllipticalPocket",
+    "engrave": "contours.engrave.Engrave",
+    "face": "facing.face.Face",
+    "pocket": "pockets.pocket.Pocket",
+    "rectangular_pocket": "pockets.rectangular_pocket.RectangularPocket",
+    "sheet_cut": "sheet_cutting.sheet_cut.SheetCut",
+    "thread": "holes.thread_milling.Thread",
+    "wire_cut": "wire_cutting.wire_cut.WireCut",
 }
 
 
@@ -45,4 +38,6 @@ def cycle_class(name: object) -> type[BaseModel]:
             Text("there is no cycle '{told}'", told=told[:60]),
             advice=Text("use one of: {cycles}", cycles=", ".join(sorted(CYCLES))),
         )
-    return CYCLES[name]
+    module, _, class_name = CYCLES[name].rpartition(".")
+    found: type[BaseModel] = getattr(importlib.import_module(f"CNCStepper.cycles.{module}"), class_name)
+    return found

@@ -11,16 +11,16 @@ from collections.abc import Iterable, Iterator, Sequence
 import shapely
 from shapely.geometry.base import BaseGeometry
 
-from CNCStepper.cycles.contours.contour import Contour
+from CNCStepper.cycles.contours.contour_model import ContourModel
 from CNCStepper.cycles.contours.scrap_side import enclosed
 from CNCStepper.cycles.cycle import Answer, Cycle
 from CNCStepper.errors import Place, Text
 from CNCStepper.geometry.shapely_polygons import polygons_of
 from CNCStepper.job.make import operation_name
 from CNCStepper.job.model import Job
-from CNCStepper.job.stock_fit import ON_EDGE_MM
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool_shapes import BEAMS
+from CNCStepper.simulation.checks.stock_checks import ON_EDGE_MM
 from CNCStepper.simulation.finding import Finding
 from CNCStepper.simulation.first_lines import FirstLines
 from CNCStepper.simulation.stock import Stock
@@ -56,7 +56,7 @@ def wanted_area(answer: Answer) -> BaseGeometry:
 def _freed(operation: Cycle, job: Job) -> BaseGeometry | None:
     """Return the piece that falls out of a contour, None where all stays held."""
     tool = job.tools[operation.tool]
-    if not isinstance(operation, Contour) or operation.tabs is not None or tool.shape in BEAMS:
+    if not isinstance(operation, ContourModel) or operation.tabs is not None or tool.shape in BEAMS:
         return None
     curves = [curve for curve in operation.kept() if curve.closed]
     if not curves or operation.depth_mm < job.stock.size_mm[2]:

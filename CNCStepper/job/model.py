@@ -26,8 +26,6 @@ from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, model_validator
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.cycles.catalogue import cycle_class
 from CNCStepper.cycles.cycle import Cycle, Setup
-from CNCStepper.cycles.pockets.area_cycle import AreaCycle
-from CNCStepper.cycles.pockets.elliptical_pocket import EllipticalPocket
 from CNCStepper.drawing.drawing import Share
 from CNCStepper.drawing.point_list import read_heights, read_points
 from CNCStepper.errors import JobError, Place, Text, placed
@@ -377,7 +375,7 @@ class Job(BaseModel):
 
 def depends_on_contours(operation: Cycle) -> bool:
     """Return whether the setup of an operation depends on the contours of the job."""
-    return operation.cycle == "contour" or isinstance(operation, AreaCycle | EllipticalPocket)
+    return getattr(operation, "DEPENDS_ON_CONTOURS", False)
 
 
 def _kept_by(operation: Cycle) -> tuple[Curve, ...]:

@@ -23,7 +23,6 @@ from CNCStepper.cycles.parameter_types import CurveField
 from CNCStepper.drawing.chain_list import counts_of
 from CNCStepper.drawing.crossing_areas import without_crossings
 from CNCStepper.drawing.drawing import Drawing, Share
-from CNCStepper.drawing.dxf.reader import read_dxf
 from CNCStepper.drawing.nesting_levels import nesting_levels
 from CNCStepper.drawing.point_list import read_points
 from CNCStepper.drawing.repair.mend import CHANGES, Change, mended
@@ -298,6 +297,8 @@ class _Files:
 
     def _layer(self, name: str, form: DxfForm) -> tuple[Curve, ...]:
         """Return the chains of a layer."""
+        from CNCStepper.drawing.dxf.reader import read_dxf  # it loads what few jobs need
+
         key = ("dxf", form.model_copy(update={"layer": ""}))
         path = self._folder / form.file
         drawing = self._drawing(key, lambda: read_dxf(path, form.tolerance_mm, form.unit_mm, share=self._share))

@@ -33,11 +33,10 @@ from CNCStepper.cycles.wire_cutting.wire_cut import WireCut
 from CNCStepper.errors import Place, Text
 from CNCStepper.geometry.curve import Curve, circle
 from CNCStepper.geometry.shapes.ellipse import Ellipse
-from CNCStepper.simulation.checks.stock_checks import PASSED_MM, SPOIL_MM
+from CNCStepper.simulation.checks.stock_checks import ON_EDGE_MM, PASSED_MM, SPOIL_MM
 from CNCStepper.simulation.finding import Finding, Severity, worst_first
 from CNCStepper.simulation.stock import Stock
 
-ON_EDGE_MM = 0.01  # a shape may end on the stock's edge
 FLAT_MM = 0.005  # of chords for arcs: half of what may lie beside
 
 

@@ -21045,6 +21045,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>its lead is P and its first cut H, F has no meaning in it, and its passes are a macro of the machine (m1076): write each pass as G32 with the lead in F</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>its letters lean too far</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21082,6 +21086,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>its owner</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its passes are a macro of the machine: write its moves as G0 and G1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -21069,6 +21069,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>seus nós não crescem</translation>
         </message>
         <message>
+            <source>its lead is P and its first cut H, F has no meaning in it, and its passes are a macro of the machine (m1076): write each pass as G32 with the lead in F</source>
+            <translation>o passo dele é P e o primeiro corte H, F não tem sentido nele, e as passadas são uma macro da máquina (m1076): escreva cada passada como G32 com o passo em F</translation>
+        </message>
+        <message>
             <source>its letters lean too far</source>
             <translation>as suas letras inclinam-se demais</translation>
         </message>
@@ -21107,6 +21111,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>its owner</source>
             <translation>seu proprietário</translation>
+        </message>
+        <message>
+            <source>its passes are a macro of the machine: write its moves as G0 and G1</source>
+            <translation>as passadas dele são uma macro da máquina: escreva os movimentos como G0 e G1</translation>
         </message>
         <message>
             <source>its program has ended with M02</source>

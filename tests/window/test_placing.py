@@ -224,7 +224,7 @@ def test_a_file_is_added_turned_with_shift_and_taken_away(hand: Hand, tmp_path: 
     drag_part(hand, hand.main(lambda: panel.nest.polygon(1).centroid.coords[0]), (90, 60))
     hand.settle()
     x, y = hand.main(lambda: panel.nest.polygon(1).centroid.coords[0])
-    drag_part(hand, (x + 6, y), (x, y + 6), modifiers=("Shift",))
+    drag_part(hand, (x + 9, y), (x, y + 9), modifiers=("Shift",))
     assert hand.main(placed, panel)[1][4] == pytest.approx(90.0, abs=5.0)
     hand.shot("arrangement-turned-with-shift")
     hand.key("Delete")

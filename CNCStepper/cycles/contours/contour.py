@@ -22,18 +22,11 @@ from CNCStepper.cycles.cycle import Answer, Setup
 from CNCStepper.cycles.moves import Moves
 from CNCStepper.cycles.passes import require_few_blocks
 from CNCStepper.errors import GeometryError
-from CNCStepper.geometry.curve import Curve
 from CNCStepper.toolpath import TableBuilder
 
 
 class Contour(ContourModel):
     """A contour that can be cut."""
-
-    def kept(self) -> tuple[Curve, ...]:
-        """Return the outlines of the parts left, for the leads of the job's other contours."""
-        if self.side not in ("inside", "outside"):
-            return ()
-        return tuple(curve.moved(*self.offset_mm) for curve in self.curves)
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the contours to `table`; raises CycleError before any row when they cannot be cut safely."""

@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from CNCStepper.cycles.contours.contour_parameters import ContourParameters, LeadParameters, TabParameters
 from CNCStepper.cycles.parameter_types import CurveField
+from CNCStepper.geometry.curve import Curve
 from CNCStepper.quantities import MOST_ITEMS
 
 
@@ -40,8 +43,15 @@ class ContourModel(ContourParameters, BaseModel):
     """What a contour is given, checked."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
+    DEPENDS_ON_CONTOURS: ClassVar[bool] = True  # of the job: `job.model` gives them in the setup
 
     curves: tuple[CurveField, ...] = Field(min_length=1, max_length=MOST_ITEMS["curves"])
     tabs: Tabs | None = None
     lead_in: Lead = Lead()
     lead_out: Lead = Lead()
+
+    def kept(self) -> tuple[Curve, ...]:
+        """Return the outlines of the parts left, for the leads of the job's other contours."""
+        if self.side not in ("inside", "outside"):
+            return ()
+        return tuple(curve.moved(*self.offset_mm) for curve in self.curves)

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import accumulate
+from typing import ClassVar
 
 from pydantic import BaseModel, ConfigDict
 
@@ -37,6 +38,7 @@ class AreaCycle(AreaParameters, BaseModel):
     """A cycle that clears an area."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, arbitrary_types_allowed=True)
+    DEPENDS_ON_CONTOURS: ClassVar[bool] = True  # of the job: `job.model` gives them in the setup
 
     def _clear(
         self,

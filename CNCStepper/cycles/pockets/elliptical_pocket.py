@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import accumulate
+from typing import ClassVar
 
 from pydantic import BaseModel, ConfigDict
 from shapely import Polygon
@@ -47,6 +48,7 @@ class EllipticalPocket(EllipticalPocketParameters, BaseModel):
     """An elliptical pocket that can be cut."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+    DEPENDS_ON_CONTOURS: ClassVar[bool] = True  # of the job: `job.model` gives them in the setup
 
     def cut(self, setup: Setup, table: TableBuilder) -> Answer:
         """Append the pocket to `table`; raises CycleError before any row when it cannot be cut safely."""

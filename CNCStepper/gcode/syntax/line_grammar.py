@@ -120,6 +120,7 @@ class Grammar:
             if word.letter in "GM":
                 continue
             if word.letter not in self.dialect.letters:
+                self._require_no_refused_code(words)
                 raise self._refused(
                     word.letter,
                     Text("{dialect} has no word {letter}", dialect=self.dialect.title, letter=word.letter),
@@ -133,6 +134,12 @@ class Grammar:
                 raise ProgramError("line-number", "the N word must be the first of its line", value="N")
             slots[word.letter] = len(slots)
         return slots
+
+    def _require_no_refused_code(self, words: list[Word]) -> None:
+        """Raise ProgramError for a code that the dialect refuses by name: a strange word may belong to it."""
+        for word in words:
+            if word.name in self.dialect.refused and word.letter in "GM":
+                self._unknown(word.name)
 
     def _codes(self, words: list[Word]) -> list[Code]:
         """Return the codes of the G and M words, each known and alone in its modal group."""

@@ -261,6 +261,10 @@ class BlockEmitter:
         if not self.dialect.feed_is_setting:  # else no operator changes it meanwhile
             self._feed = ""
 
+    def forget_feed(self) -> None:
+        """Let the next cut write its F, since a lead is in force as one."""
+        self._feed = ""
+
     def begin_at(self, at: Counts) -> None:
         """Set the machine's position at the program's begin; the first move names its axes all the same."""
         is_known = self.dialect.starts_at_work_zero and not any(at)  # zero, or an axis that the language lacks
@@ -331,9 +335,12 @@ class BlockEmitter:
         self.line(name, *words)
         self._arrive([*end])
 
-    def profile_cycle(self, name: str, words: list[str], feed_mm_min: float, end: tuple[int, int, int]) -> None:
+    def cycle_feed(self, feed_mm_min: float) -> str:
+        """Return F of a cycle's cuts where it is not in force, else nothing."""
+        return self._feed_word(LINE, feed_mm_min)
+
+    def profile_cycle(self, name: str, words: list[str], end: tuple[int, int, int]) -> None:
         """Write a cycle along a profile, which leads to `end`."""
-        self.line(self._feed_word(LINE, feed_mm_min))
         self.line(name, *words)
         self._motion = ""
         self._arrive([*end])

@@ -25,7 +25,7 @@ from CNCStepper.gcode.writer.block_emitter import BlockEmitter, Grid, ascii_text
 from CNCStepper.gcode.writer.canned_cycle_blocks import CycleWriter
 from CNCStepper.gcode.writer.move_rows import RowWriter
 from CNCStepper.gcode.writer.plasma_words import PlasmaSwitches
-from CNCStepper.gcode.writer.profile_cycle_blocks import ProfileCycleWriter
+from CNCStepper.gcode.writer.profile_cycle_blocks import profile_cycles
 from CNCStepper.gcode.writer.state_changes import Switches
 from CNCStepper.gcode.writer.thread_blocks import ThreadWriter
 from CNCStepper.gcode.writer.turning_words import begin_turning, follow_feed_mode, turned_words
@@ -151,7 +151,7 @@ class _Writer:
         self.rows = RowWriter(toolpath, self.page, options, keeps_lengths)
         self.cycles = CycleWriter(toolpath, self.page, self.rows)
         self.threads = ThreadWriter(toolpath, self.page, self.rows, options.turning_cycles)
-        self.profiles = ProfileCycleWriter(toolpath, self.page, self.rows, options.turning_cycles)
+        self.profiles = profile_cycles(toolpath, self.page, self.rows, options.turning_cycles)
         one = len({state.work_system for state in used}) < 2
         self._one_system = options.work_offset if one else ""
 

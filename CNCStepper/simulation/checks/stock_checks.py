@@ -26,6 +26,7 @@ from CNCStepper.simulation.tip_segments import Segments, clipped_below, segments
 
 JUDGE_ERROR_MM = 0.001  # the judge's own error does not count against a program
 PASSED_MM = 0.001
+ON_EDGE_MM = 0.01  # a shape may end on the stock's edge
 LineOf = Callable[[int], int]
 SPOIL_MM = 5.0  # a spoil board is cut no deeper on purpose; below lies the table
 

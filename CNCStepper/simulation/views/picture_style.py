@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from io import BytesIO
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -171,10 +172,11 @@ def pixels_of(figure: Figure) -> np.ndarray:
     """Return the figure as it is seen, uint8[rows, columns, 3]."""
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    pixels = np.asarray(canvas.buffer_rgba())[..., :3].astype(np.uint16)
-    rows, columns = pixels.shape[0] // FINER, pixels.shape[1] // FINER
-    averaged = pixels.reshape(rows, FINER, columns, FINER, 3).sum(axis=(1, 3)) // FINER**2
-    return averaged.astype(np.uint8)
+    pixels = np.asarray(canvas.buffer_rgba())[..., :3]
+    total = np.zeros((pixels.shape[0] // FINER, pixels.shape[1] // FINER, 3), np.uint16)
+    for row, column in product(range(FINER), repeat=2):
+        total += pixels[row::FINER, column::FINER]
+    return (total // FINER**2).astype(np.uint8)
 
 
 def save_figure(figure: Figure, file: Path) -> None:

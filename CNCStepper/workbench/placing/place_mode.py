@@ -48,6 +48,7 @@ class PlaceMode(Mode):
         self._nodes = PartNodes(view, nest, self.corners)
         self._sight = PlaneView(view, FreeCAD.Placement())
         self._grip: Point | None = None  # where the pointer took hold, in the document's mm
+        self._pixel: Point = (0.0, 0.0)  # where the pointer was seen last while it holds a part
         self._turns = False
         self._wanted: Placement | None = None
         self._faults = set(faults)
@@ -90,7 +91,7 @@ class PlaceMode(Mode):
         self.choose(self.nest.part_at(*found) if found else None)
         if self.chosen is None:
             return False
-        self._grip, self._turns, self._wanted = point, shift, None
+        self._grip, self._turns, self._wanted, self._pixel = point, shift, None, pixel
         return True
 
     def moved(self, pixel: Point, shift: bool) -> bool:
@@ -98,6 +99,7 @@ class PlaceMode(Mode):
         point = self._sight.point(pixel) if self._grip is not None else None
         if point is None or self._grip is None or self.chosen is None or self.nest.parts[self.chosen].locked:
             return False
+        self._pixel = pixel
         self._wanted = self._turned(point) if self._turns else self._shifted(point)
         why = self.nest.problem(self._wanted, self.chosen)
         self._nodes.place(self.chosen, self._wanted)
@@ -106,7 +108,9 @@ class PlaceMode(Mode):
         return True
 
     def released(self, pixel: Point) -> bool:
-        """Let the part lie where it is, or at the last free place on the way there."""
+        """Let the part lie where the pointer lets it go, or at the last free place on the way there."""
+        if pixel != self._pixel:  # a busy window may hand on no move to here
+            self.moved(pixel, self._turns)
         wanted, self._wanted, self._grip = self._wanted, None, None
         if wanted is not None and self.chosen is not None:
             self.put(self.nest.reached(self.chosen, wanted))

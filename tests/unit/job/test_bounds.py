@@ -12,7 +12,7 @@ import pytest
 from pydantic import BaseModel, Strict
 from pydantic.fields import FieldInfo
 
-from CNCStepper.cycles.catalogue import CYCLES
+from CNCStepper.cycles.catalogue import CYCLES, cycle_class
 from CNCStepper.errors import JobError
 from CNCStepper.job.model import Job, ToolFile, load_job
 from CNCStepper.job.shapes import ShapeForm
@@ -20,7 +20,7 @@ from CNCStepper.machine.materials import Material
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.quantities import Bounds
 
-MODELS = [Job, Machine, ShapeForm, ToolFile, Material, *CYCLES.values()]
+MODELS = [Job, Machine, ShapeForm, ToolFile, Material, *map(cycle_class, CYCLES)]
 UNIONS = (Union, types.UnionType)
 
 

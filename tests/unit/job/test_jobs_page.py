@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from CNCStepper.cycles.catalogue import CYCLES
+from CNCStepper.cycles.catalogue import CYCLES, cycle_class
 from CNCStepper.cycles.turning.turning_operation import TURNING_OPERATIONS
 from CNCStepper.job.make import make_program
 from CNCStepper.job.model import load_job
@@ -50,7 +50,7 @@ def test_every_key_of_every_cycle_is_declared_with_its_help(cycle: str) -> None:
         told += PAGE.partition("### `pocket`\n")[2].partition("\n### ")[0]
     keys = {key.partition(".")[0] for key in re.findall(r"^\| `([\w.]+)` \|", told, re.MULTILINE)}
     shapes = {"outlines", "islands", "curves", "marks", *(["pattern"] if "`pattern.circles`" in told else [])}
-    assert keys == set(CYCLES[cycle].model_fields) - shapes - {"cycle", "tool"}
+    assert keys == set(cycle_class(cycle).model_fields) - shapes - {"cycle", "tool"}
 
 
 @pytest.mark.parametrize("cycle", TURNING_OPERATIONS)

@@ -149,11 +149,11 @@ def test_keys_within_a_table_name_shapes_too() -> None:
 
 
 def test_the_table_of_keys_is_true_of_the_cycles() -> None:
-    from CNCStepper.cycles.catalogue import CYCLES
+    from CNCStepper.cycles.catalogue import CYCLES, cycle_class
 
     for cycle, keys in SHAPE_KEYS.items():
         if cycle in CYCLES:
-            fields = CYCLES[cycle].model_fields
+            fields = cycle_class(cycle).model_fields
             assert {key.field.partition(".")[0] for key in keys} <= set(fields), cycle
 
 

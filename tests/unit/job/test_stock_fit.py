@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import shapely
 
-from CNCStepper.cycles.catalogue import CYCLES
+from CNCStepper.cycles.catalogue import CYCLES, cycle_class
 from CNCStepper.errors import Place
 from CNCStepper.geometry.curve import circle, from_points
 from CNCStepper.job import stock_fit
@@ -36,13 +36,13 @@ WITHIN: dict[str, dict[str, Any]] = {  # parameters of every cycle that fit into
     "rectangular_pocket": {**CLEAR, "corner_a_mm": (-10.0, -10.0), "corner_b_mm": (10.0, 10.0)},
     "thread": {**POINTS, "major_diameter_mm": 8.0, "pitch_mm": 1.0},
 }
-DEEP = [name for name in WITHIN if "depth_mm" in CYCLES[name].model_fields]  # a wire cuts through
+DEEP = [name for name in WITHIN if "depth_mm" in cycle_class(name).model_fields]  # a wire cuts through
 MOVED = {"elliptical_pocket": {"centre_mm": (45.0, 0.0)}}  # which has no offset
 
 
 def cycle(name: str, **values: Any) -> Any:
     depth = {"depth_mm": 5.0} if name in DEEP else {}
-    return validated(CYCLES[name], {"cycle": name, "tool": 1, **depth, **WITHIN[name], **values}, name)
+    return validated(cycle_class(name), {"cycle": name, "tool": 1, **depth, **WITHIN[name], **values}, name)
 
 
 def told(name: str, stock: Stock = STOCK, **values: Any) -> list[tuple[str, str]]:

@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import math
 import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 
 from CNCStepper.errors import CNCStepperError, ProgramError
 from CNCStepper.gcode.edit.feed_scaling import scale_feeds
@@ -99,6 +101,68 @@ def test_a_random_part_is_the_same_in_every_language(seed):
     assert_same_moves(expected, made(job, "fanuc-lathe")[1])  # Mach's has a digit more
 
 
+@pytest.mark.parametrize("seed", SEEDS[:3])
+def test_cycles_in_two_blocks_cut_the_part_of_the_moves(seed, tmp_path):
+    job = random_job(seed, "linuxcnc-lathe", **WAYS[seed % len(WAYS)]).model_copy(update={"x_is": "diameter"})
+    volumes_mm3, texts = [], []
+    for canned in (False, True):
+        asked, machine = job.model_copy(update={"canned": canned}), machine_of("fanuc-lathe")
+        programs = make_turning(asked, machine)
+        (proven,) = prove_turning(asked, machine, programs, tmp_path)
+        assert [str(found) for found in proven.verdict.findings if found.severity != "info"] == []
+        volumes_mm3.append(proven.verdict.report()["volume_mm3"])
+        texts.append(programs[0].program)
+    assert volumes_mm3[1] == pytest.approx(volumes_mm3[0], rel=2e-5)
+    assert ("G71 P101" in texts[1] or job.operation[-2].along == "x") and "P101" not in texts[0]
+
+
+def test_a_finishing_pass_along_the_roughed_path_is_g70():
+    operation = {"tool": 1, "profile": "part", "spindle_rpm": 800}
+    rough = {**operation, "cycle": "turn_rough", "ap_mm": 2, "stock_to_leave_mm": 0.0}
+    finish = {**operation, "cycle": "turn_finish", "feed_mm_rev": 0.1}
+    content = tomllib.loads(SURFACE) | {"operation": [rough, finish], "canned": True}
+    text, path = made(turning_job_of(content, Path("job.toml")), "fanuc-lathe")
+    lines = text.splitlines()
+    at = lines.index("G71 U2. R0.3")
+    assert lines[at + 1] == "G71 P101 Q104 U0. W0. F0.2" and lines[at + 2].startswith("N101 ")
+    assert "G70 P101 Q104 F0.1" in lines[at + 6 :]
+    expanded = made(turning_job_of(content | {"canned": False}, Path("job.toml")), "fanuc-lathe")[1]
+    assert path.table().end[:, 0].min() == pytest.approx(expanded.table().end[:, 0].min())
+    last_cuts = [one.table().feed[one.table().kind > 0][-3:] for one in (path, expanded)]
+    assert np.allclose(*last_cuts) and np.allclose(last_cuts[0], 80.0)
+
+
+@pytest.mark.parametrize("inside", [False, True])
+def test_a_cylindrical_thread_is_g76_in_two_blocks_and_the_part_is_that_of_its_passes(inside, tmp_path):
+    content = tomllib.loads(THREAD) | {"x_is": "diameter", "start": [64, 8]}
+    content["profile"] = [{"name": "part", "points": [[24, 0], [24, -80]]}]
+    content["stock"] |= {"diameter_mm": 24, "form": "bar"}
+    operation = content["operation"][0]
+    del operation["taper_deg"], operation["diameter_mm"]
+    operation["pull_out_mm"] = 0.9  # three tenths of the lead
+    if inside:
+        content["tool"][0] |= {"kind": "threading", "insert": "16IR AG60"}
+        content["stock"] = {"form": "tube", "diameter_mm": 60, "bore_mm": 20.752, "length_mm": 120}
+        content["profile"], content["start"] = [{"name": "part", "points": [[20.752, 0], [20.752, -80]]}], [18, 8]
+    machine, regions, texts = machine_of("fanuc-lathe"), [], []
+    for canned in (False, True):
+        job = turning_job_of(content | {"canned": canned}, Path("job.toml"))
+        programs = make_turning(job, machine)
+        (proven,) = prove_turning(job, machine, programs, tmp_path)
+        regions.append(proven.verdict.part.region)
+        texts.append(programs[0].program.splitlines())
+    first, second = (line.split() for line in texts[1] if line.startswith("G76"))
+    assert first == ["G76", "P020360", "Q1", "R0."] and second[-1] == "F3."
+    depth, cut = (int(word[1:]) for word in second[3:5])
+    assert cut * math.sqrt(math.ceil((depth / 300) ** 2)) >= depth and cut <= 300  # as many passes as G32 makes
+    assert not any("G32" in line for line in texts[1]) and any("G32" in line for line in texts[0])
+    thread = shapely.box(-49.0, 0.0, 10.0, 100.0)  # the pull-out itself is at 45 degrees
+    assert shapely.intersection(shapely.symmetric_difference(*regions), thread).area < 0.02
+    assert regions[0].area < job.stock.diameter_mm / 2 * 119
+    operation["pull_out_mm"] = 0.2  # less than a tenth of the lead: G76 has no digit for it
+    assert "G76" not in made(turning_job_of(content | {"canned": True}, Path("job.toml")), "fanuc-lathe")[0]
+
+
 def test_a_program_for_fanuc_is_proven_as_any_other(tmp_path):
     job, machine = random_job(4, "linuxcnc-lathe").model_copy(update={"x_is": "diameter"}), machine_of("fanuc-lathe")
     (proven,) = prove_turning(job, machine, make_turning(job, machine), tmp_path)
@@ -144,3 +208,17 @@ def test_mach_has_no_word_for_the_limit_of_g96():
     with pytest.raises(CNCStepperError) as refusal:
         made(job_of(SURFACE), "mach-turn")
     assert refusal.value.code == "surface-speed" and "spindle_rpm = " in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("line", "advice"),
+    [
+        ("G76 P1.5 X18.16 Z-30 H0.3 I29 C2", "each pass as G32 with the lead in F"),
+        ("G77 X20 Z-10 F0.2", "its moves as G0 and G1"),
+        ("G78 X20 Z-10 F0.2", "its moves as G0 and G1"),
+    ],
+)
+def test_the_cycles_of_mach_that_are_macros_of_the_machine_are_refused_by_name(line, advice):
+    with pytest.raises(ProgramError) as refusal:
+        interpret(f"G21 G18 G90\nM3 S500\nG95 F0.2\nG0 X30 Z5\n{line}\nM2\n", Start.at_zero(), "mach-turn")
+    assert line.split()[0] in str(refusal.value) and advice in str(refusal.value) and refusal.value.place.line == 5
