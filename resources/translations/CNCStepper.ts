@@ -4863,6 +4863,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Choose values that were saved before, or type a name to save the present ones</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Choose what the machine does, and the machine that is nearest to yours.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5119,6 +5123,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Correct the marked values first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Count</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5268,6 +5276,10 @@
         </message>
         <message>
             <source>Delete the marked tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Delete the preset of this name</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -8563,6 +8575,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Preset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Preset speeds</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9110,6 +9126,10 @@ the height</source>
         </message>
         <message>
             <source>Save as…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save how this operation cuts under the name in the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16905,6 +16925,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Presets of operations: values by key, under the cycle and a name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Q asks for too many pecks</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17702,6 +17726,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a point is too far away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a preset cannot be named '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19357,6 +19385,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct or delete that entry</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct rotations_deg or grain_deg</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20254,6 +20286,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give it a short name on one line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26182,6 +26218,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the power is on at the pierce for much longer than the chart's delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the preset {cycle}.{name} is no table of values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

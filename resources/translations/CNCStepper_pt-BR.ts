@@ -4863,6 +4863,10 @@
             <translation>Escolha aqui</translation>
         </message>
         <message>
+            <source>Choose values that were saved before, or type a name to save the present ones</source>
+            <translation>Escolha valores salvos antes, ou digite um nome para salvar os atuais</translation>
+        </message>
+        <message>
             <source>Choose what the machine does, and the machine that is nearest to yours.</source>
             <translation>Escolha o que a máquina faz e a máquina mais parecida com a sua.</translation>
         </message>
@@ -5119,6 +5123,10 @@
             <translation>Corrija primeiro o que está marcado.</translation>
         </message>
         <message>
+            <source>Correct the marked values first</source>
+            <translation>Corrija primeiro os valores marcados</translation>
+        </message>
+        <message>
             <source>Count</source>
             <translation>Quantidade</translation>
         </message>
@@ -5269,6 +5277,10 @@
         <message>
             <source>Delete the marked tool</source>
             <translation>Exclui a ferramenta marcada</translation>
+        </message>
+        <message>
+            <source>Delete the preset of this name</source>
+            <translation>Excluir a predefinição deste nome</translation>
         </message>
         <message>
             <source>Deleted drawing</source>
@@ -8563,6 +8575,10 @@
             <translation>Pré-aquecimento</translation>
         </message>
         <message>
+            <source>Preset</source>
+            <translation>Predefinição</translation>
+        </message>
+        <message>
             <source>Preset speeds</source>
             <translation>Rotações fixas</translation>
         </message>
@@ -9113,6 +9129,10 @@ altura</translation>
         <message>
             <source>Save as…</source>
             <translation>Salvar como…</translation>
+        </message>
+        <message>
+            <source>Save how this operation cuts under the name in the line</source>
+            <translation>Salvar como esta operação corta sob o nome na linha</translation>
         </message>
         <message>
             <source>Save or revert this chart first</source>
@@ -16929,6 +16949,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>Peças e placas</translation>
         </message>
         <message>
+            <source>Presets of operations: values by key, under the cycle and a name</source>
+            <translation>Predefinições de operações: valores por chave, sob o ciclo e um nome</translation>
+        </message>
+        <message>
             <source>Q asks for too many pecks</source>
             <translation>Q pede picadas demais</translation>
         </message>
@@ -17727,6 +17751,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a point is too far away</source>
             <translation>um ponto está longe demais</translation>
+        </message>
+        <message>
+            <source>a preset cannot be named '{name}'</source>
+            <translation>uma predefinição não pode se chamar '{name}'</translation>
         </message>
         <message>
             <source>a press of the timeline is none</source>
@@ -19381,6 +19409,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>corrija a grafia ou retire; as conhecidas {table}são: {known}</translation>
         </message>
         <message>
+            <source>correct or delete that entry</source>
+            <translation>corrija ou apague essa entrada</translation>
+        </message>
+        <message>
             <source>correct rotations_deg or grain_deg</source>
             <translation>corrija rotations_deg ou grain_deg</translation>
         </message>
@@ -20279,6 +20311,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
             <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
+        </message>
+        <message>
+            <source>give it a short name on one line</source>
+            <translation>dê-lhe um nome curto em uma só linha</translation>
         </message>
         <message>
             <source>give it another name, or change that one with: cncstepper machine set</source>
@@ -26207,6 +26243,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the power is on at the pierce for much longer than the chart's delay</source>
             <translation>a potência fica parada na perfuração muito mais do que o tempo da tabela</translation>
+        </message>
+        <message>
+            <source>the preset {cycle}.{name} is no table of values</source>
+            <translation>a predefinição {cycle}.{name} não é uma tabela de valores</translation>
         </message>
         <message>
             <source>the probe is at its target already</source>
