@@ -15623,7 +15623,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>one of {what} that are read</source>
-            <translation type="unfinished"></translation>
+            <translation>um de {what}, que são lidos</translation>
         </message>
         <message>
             <source>part    height        d1        d2        d3      mean  deviation     ratio  height's</source>
