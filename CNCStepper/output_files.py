@@ -33,7 +33,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from CNCStepper.atomic_file import checked_target, followed, is_stream
-from CNCStepper.errors import OutputError, Place
+from CNCStepper.errors import OutputError, Place, Text
 
 MADE_BY = "made by CNCStepper"  # in comments
 LOOKED_AT = 8192  # bytes at the begin and at the end of a file
@@ -86,24 +86,30 @@ def check_outputs(outputs: Sequence[Output], inputs: Iterable[Input], overwrite:
     for number, output in enumerate(files):
         for each in read:
             if is_same_file(output.path, each.path):
-                raise _refusal("output-is-input", f"{output.option} would write over {each.what}", output)
+                raise _refusal(
+                    "output-is-input",
+                    Text("{option} would write over {what}", option=output.option, what=each.what),
+                    output,
+                )
         for other in files[:number]:
             if is_same_file(output.path, other.path):
-                what = f"{output.option} and {other.option} would write the same file"
+                what = Text("{option} and {other} would write the same file", option=output.option, other=other.option)
                 raise _refusal("output-twice", what, output)
     for output in files:
         checked_target(output.path)
         if not overwrite and output.path.is_file() and not is_ours(output.path, output.kind):
-            what = f"{output.option} would replace a file that {_foreign(output.kind)}"
-            raise _refusal("output-exists", what, output, "give another name, or --overwrite to replace it")
+            raise _refusal("output-exists", _foreign(output), output, "give another name, or --overwrite to replace it")
 
 
 def _refusal(code: str, what: str, output: Output, advice: str = "give another name") -> OutputError:
     return OutputError(code, what, advice=advice, place=Place(str(output.path)))
 
 
-def _foreign(kind: str) -> str:
-    return f"is no {kind} of CNCStepper's" if kind else "exists already"
+def _foreign(output: Output) -> Text:
+    """Return why a file that is there would be lost."""
+    if output.kind:
+        return Text("{option} would replace a file of another kind, or of somebody else's", option=output.option)
+    return Text("{option} would replace a file that exists already", option=output.option)
 
 
 def is_same_file(one: Path, other: Path) -> bool:

@@ -9,6 +9,7 @@ own and are named by their beginning here.
 from __future__ import annotations
 
 import ast
+import functools
 import re
 import sys
 from collections import defaultdict
@@ -75,7 +76,7 @@ def source_of(path: Path) -> Source:
         for name, value in pairs(target, node.value)
     }
     calls: dict[str, list[tuple[ast.Call, ast.FunctionDef | None]]] = defaultdict(list)
-    for call, around in calls_in(tree, None):
+    for call, around in calls_in(tree):
         calls[last_name(call)].append((call, around))
     return Source(path.relative_to(ROOT).as_posix(), calls, constants)
 
@@ -86,12 +87,15 @@ def last_name(call: ast.Call) -> str:
     return function.id if isinstance(function, ast.Name) else getattr(function, "attr", "")
 
 
-def calls_in(node: ast.AST, around: ast.FunctionDef | None) -> Iterator[tuple[ast.Call, ast.FunctionDef | None]]:
-    """Yield the calls below a node, each with the function that it stands in."""
-    for child in ast.iter_child_nodes(node):
-        if isinstance(child, ast.Call):
-            yield child, around
-        yield from calls_in(child, child if isinstance(child, ast.FunctionDef) else around)
+def calls_in(tree: ast.AST) -> Iterator[tuple[ast.Call, ast.FunctionDef | None]]:
+    """Yield the calls of a module in the order of its text, each with the function around it."""
+    waiting: list[tuple[ast.AST, ast.FunctionDef | None]] = [(tree, None)]
+    while waiting:
+        node, around = waiting.pop()
+        if isinstance(node, ast.Call):
+            yield node, around
+        inside = node if isinstance(node, ast.FunctionDef) else around
+        waiting.extend((child, inside) for child in reversed(list(ast.iter_child_nodes(node))))
 
 
 def error_classes() -> set[str]:
@@ -246,6 +250,7 @@ def parameter(names: list[str], name: str) -> tuple[int, str]:
     return names.index(name) - (names[0] in SELF), name
 
 
+@functools.cache
 def refusals() -> dict[str, Refusal]:
-    """Return all refusals of the package by their codes."""
+    """Return all refusals of the package by their codes; they are read once in a process, which takes seconds."""
     return Reader(sources(), error_classes()).read()

@@ -53,10 +53,13 @@ CORE_ROOMS = (
 CORE_MODULES = (
     "errors.py",
     "input_file.py",
+    "output_files.py",
     "quantities.py",
     "atomic_file.py",
     "motion/signals/letter_track.py",
     "motion/signals/step_letters.py",
+    "virtual/faults/host_faults.py",
+    "virtual/server/pin_presses.py",
 )
 NO_SENTENCES = {
     "picture.py",
@@ -116,6 +119,8 @@ def texts() -> dict[Text, str]:
     for path in core_sources():
         for sentence, line in sentences_of(path.read_text("utf-8")):
             found.setdefault(Text(CORE, sentence), f"{path.relative_to(ROOT).as_posix()}:{line}")
+    for sentence, place in refusal_sentences():
+        found.setdefault(Text(CORE, sentence), place)
     for text, cycle in declared_texts():
         found.setdefault(text, f"parameters of {cycle}")
     for text, kind in library_texts():
@@ -125,10 +130,23 @@ def texts() -> dict[Text, str]:
     return found
 
 
+def refusal_sentences() -> Iterator[tuple[str, str]]:
+    """Yield all that refusals say and advise, of every room and however short, with a place of each."""
+    for refusal in beside("refusal_codes").refusals().values():
+        for sentence in (part for saying in refusal.sayings for part in saying):
+            if " " in sentence and LETTERS.search(FIELD.sub("", sentence)):
+                yield sentence, refusal.places[0]
+
+
 def command_line_texts() -> ModuleType:
-    """Return the module beside this one that knows the command line, also where this one is no script."""
+    """Return the module that knows the command line."""
+    return beside("command_line_texts")
+
+
+def beside(name: str) -> ModuleType:
+    """Return a module of this folder, also where this one is no script."""
     sys.path.append(str(ROOT / "tools"))
-    return importlib.import_module("command_line_texts")
+    return importlib.import_module(name)
 
 
 def of_command_line(translations: dict[Text, str]) -> dict[str, str]:

@@ -475,7 +475,10 @@ def _tables(content: dict[str, Any], key: str, path: Path) -> list[dict[str, Any
     tables, place = content.get(key, []), Place(str(path))
     if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
         raise JobError(
-            "bad-value", Text("{key} must be a list of tables", key=key), advice=f"write [[{key}]]", place=place
+            "bad-value",
+            Text("{key} must be a list of tables", key=key),
+            advice=Text("write [[{key}]]", key=key),
+            place=place,
         )
     if len(tables) > (most := MOST_ITEMS[f"{key}s"]):
         what, advice = Text("{key} is too long", key=key), "make several jobs of this one"

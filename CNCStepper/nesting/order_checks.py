@@ -65,7 +65,9 @@ def _require_ring(name: str, ring: Sequence[Sequence[float]]) -> None:
     if not np.isfinite(corners).all() or np.abs(corners).max() > MOST_MM:
         wrong = corners[~(np.abs(corners) <= MOST_MM).all(axis=1)][0]
         what = Text("a corner of {name} lies nowhere", name=name)
-        raise _refusal("nest-number", what, f"{wrong[0]:g}, {wrong[1]:g}", f"keep within {MOST_MM:g} mm")
+        raise _refusal(
+            "nest-number", what, f"{wrong[0]:g}, {wrong[1]:g}", Text("keep within {most:g} mm", most=MOST_MM)
+        )
 
 
 def require_count(name: str, count: object) -> int:

@@ -333,7 +333,9 @@ def require_valid(job: Any) -> None:
     stale = [obj.Label for obj in [job, *job.OutListRecursive] if "Touched" in obj.State]
     if stale:
         raise JobError(
-            "program-stale", Text("{stale} has changed since the program was made", stale=stale[0]), advice="recompute"
+            "program-stale",
+            Text("{stale} has changed since the program was made", stale=stale[0]),
+            advice="recompute the document",
         )
 
 
@@ -347,7 +349,9 @@ def program_text(job: Any) -> str:
     if not text:
         why = getattr(job, "Message", "") or "it is empty"
         raise JobError(
-            "program-missing", Text("{job} has no program: {why}", job=job.Label, why=why), advice="recompute"
+            "program-missing",
+            Text("{job} has no program: {why}", job=job.Label, why=why),
+            advice="recompute the document",
         )
     return text
 

@@ -4867,6 +4867,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Choose values that were saved before, or type a name to save the present ones</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Choose what the machine does, and the machine that is nearest to yours.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5123,6 +5127,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Correct the marked values first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Count</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5272,6 +5280,10 @@
         </message>
         <message>
             <source>Delete the marked tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Delete the preset of this name</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7063,10 +7075,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>It is your copy of a shipped profile, and is used in its place.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -8579,6 +8587,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Preset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Preset speeds</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9126,6 +9138,10 @@ the height</source>
         </message>
         <message>
             <source>Save as…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save how this operation cuts under the name in the line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13350,6 +13366,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{word} {number}' says no length or line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>(Did you mean one of: {possibilities}?)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15387,6 +15407,14 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a file that {what} names</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a subroutine that is called</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a turned part is drawn as its half section, at one moment: leave --view out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15546,6 +15574,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no job '{name}' runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no job is unfinished: every one whose journal is kept was cut to its end</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15563,6 +15595,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>nothing was written</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>one of {what} that are read</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15634,11 +15670,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine is not homed: {state}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile does not say what drives {axis}: add [axis.{axis}.drive] to it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the profile says what drives the axis: leave the drive's options out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the program pauses: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15699,6 +15743,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{copied_from} ships with the program and stays as it is; your copy takes its place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} jobs run</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15917,6 +15965,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <source>{value} is not in the range {range}.</source>
             <translation type="unfinished"></translation>
         </message>
+        <message>
+            <source>{what} that is read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{what}, which is read</source>
+            <translation type="unfinished"></translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper core</name>
@@ -15946,6 +16002,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>'{0}' is no number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{address}' is not an address</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15985,6 +16045,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{file}' is no picture that can be drawn</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16014,6 +16078,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{line}' is no press: type {name}, press {name} or release {name}; pins are {names}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16049,6 +16117,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{path}' cannot be written: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{path}' is no file of part records</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16058,6 +16130,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>'{path}' is no tool file that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{path}' leads to a terminal that is in use</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16090,6 +16166,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>'{words}' is no length or angle that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{word} {number}' says no length or line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16897,6 +16977,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Presets of operations: values by key, under the cycle and a name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Price</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17593,6 +17677,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a motor misses a place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a move to no known place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17718,6 +17810,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a point is too far away</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a preset cannot be named '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a press of the timeline is none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17969,6 +18069,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a time of a press is none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a timeline holds nothing but presses</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18081,6 +18189,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a work system that is turned (G10 L2 R) is read, but its moves cannot be judged</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a {kind} tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18173,6 +18285,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add P</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add Q</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add closed = true to the rule, or mend the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18190,6 +18310,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>add one before the first cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add pid_file = a session file of the sender</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18225,7 +18349,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add {letter}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add {letter} to the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add {name} = {words}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18266,6 +18398,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>an arc needs a known start point</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>an arc needs a radius</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19053,6 +19189,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose another port, or 0 for any that is free</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19090,6 +19230,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>choose one of: {choices}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose one with --session</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19293,7 +19437,31 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct D</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct I</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct L</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct P</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct Q</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct Q, P or R</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct R</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19334,6 +19502,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>correct its spelling or take it out; known {table}are: {known}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct or delete that entry</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19498,6 +19670,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct {letter}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19749,11 +19925,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>drop $</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drop L</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>drop it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>drop the line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drop {letter}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19782,6 +19970,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>end it in .pdf or .html</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>end it in .png or .svg</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19825,7 +20017,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>end the virtual machine that is there, or give another path; remove the link if it was killed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>ends were moved together</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enlarge Q</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20105,7 +20305,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a path in a folder that exists, where nothing stands yet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a program that cuts along X and Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a session file of the sender</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20137,6 +20345,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give another name</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give another name, or --overwrite to replace it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give another path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give dwell_s, or use G81</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20157,7 +20377,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give either --pty or --tcp</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give every axis a number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20178,6 +20406,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give it a short name on one line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20210,6 +20442,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>give one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give one of: {addresses}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20298,6 +20534,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>give the work zero to have the travel checked</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give them an interval</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20414,6 +20654,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>highest spindle speed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>hold and go back along the pulses with 'cncstepper back', or send the letters that are left</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20605,6 +20849,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it cannot be read: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>it changes a file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20730,6 +20978,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>it holds more than a bundle does</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>it holds no process to kill</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21073,7 +21325,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>keep within {0} mm</source>
+            <source>keep within {most:g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21210,6 +21462,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>leave them out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave those axes out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21501,6 +21757,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lower the greatest rate of the axis, or shorten pulse_us and gap_us as its drive allows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21514,6 +21774,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>machines with more than three axes are not written in this dialect</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>made by CNCStepper</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21785,6 +22049,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move the centre</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move the holes apart, join them, or draw a slit yourself</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21853,6 +22121,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>moves of A B C U V W are read, but cannot be proven, simulated or timed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be a list</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21914,6 +22186,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>name an axis that it has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name another</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22081,11 +22357,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no job '{name}' runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no job is held</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>no job runs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no link can be made at '{path}': {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22385,6 +22669,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>not an object of keys and values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>not an outcome: it has no end state</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22413,15 +22701,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>nothing answers</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>nothing answers at {name}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>nothing answers at {name}: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing answers at {port}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22462,6 +22750,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>nothing more is sent to the lathe: {0}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing more of the test is sent</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22741,6 +23033,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>pins are {pins}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pins that are on: {pins}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pins.{name} is no signal; there are {known}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22754,6 +23054,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>pins: two signals are on one pin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pins: {pins}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22862,6 +23166,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>prove parts of the program alone</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pulse letters name no places, so that no entry can be written for them</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23026,6 +23334,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>real time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>recompute the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23253,6 +23565,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>say it in the machine's profile: [signals] pins = {{ {name} = 2, ... }}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>scale all axes alike</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23266,6 +23582,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>scripts that are written from the right are not set</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see --help</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23285,7 +23605,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>see that the way to the switches is free, then home again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see to that, then `cncstepper go --pause`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>see whether it is whole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>see {log}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23306,6 +23638,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>send another one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>send each with the certificate that `run` wrote beside it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23338,6 +23674,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>set $0 to 3 or more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>set $10=1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23581,7 +23921,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>something else than grbl answers</source>
+            <source>something else than grbl answers at {port}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23773,6 +24113,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>switch it by hand</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>switch it off and on again; if it stays, look at its wiring</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23954,6 +24298,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>take text out of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take the fault 'disk' out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24153,6 +24501,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the baud rate is out of range</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the beam is never on during a cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24162,6 +24514,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the blade is wider than the groove</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the board has no byte that switches {device}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the board has no such motor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the board has no such motors</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24302,6 +24666,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the configuration is not valid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection does not end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24881,6 +25249,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the fault 'kill' does not say whom</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the feed asks more of {name} than its highest rate</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25245,6 +25617,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the job is not held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the job is too long for a file that people read</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25398,6 +25774,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the lathe leaves a record out: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25622,6 +26002,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the machine is not held</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the machine is not homed: {state}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25969,6 +26353,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the planner has no free block</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26010,6 +26398,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the power is on at the pierce for much longer than the chart's delay</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the preset {cycle}.{name} is no table of values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26245,6 +26637,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the program pauses: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the program runs on and on: is there a loop without an end?</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26297,6 +26693,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the programs of a job that is split, one a tool, are proven one after the other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {kind}: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26306,6 +26706,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the proxy of this network does not let pip through</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the pulses come faster than the signals of this machine can follow</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26473,6 +26877,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the sender's disk cannot be filled from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the sender's process does not start</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26557,6 +26965,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the signal {name} is on no pin of the parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the simulation's process has ended</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26586,6 +26998,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the solid or a value has changed since the sheets were made</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the speed is out of range</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26929,6 +27345,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the trace '{path}' cannot be written: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the triangles of the STL file are not whole</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26954,6 +27374,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the virtual grbl ended at once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the virtual machine asks nobody for a password, so it does not listen on '{host}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the virtual machine cannot listen on {host}:{port}: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the virtual machine needs one port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27101,7 +27533,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>there are A to Z for pulses and {0} for devices</source>
+            <source>there are A to Z for pulses and {devices} for devices</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27118,6 +27550,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>there are {count} lines, none at {index}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there are {kinds}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27185,6 +27621,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is no input '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is no key {key}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27218,6 +27658,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>there is no part to draw</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no pin '{pin}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27297,6 +27741,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>there is nothing to do</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>there is nothing to find</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27329,6 +27777,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>these pulses have no time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this answer belongs to an earlier pause</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27338,6 +27790,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>this client is detached</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this clock's ticks are no whole picoseconds</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27485,6 +27941,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this machine has no fault '{kind}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this machine has no output to switch (knife and point have no power): take it out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27541,6 +28001,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this system has no pseudo-terminals</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this takes long and is calculated in the background</source>
             <translation type="unfinished"></translation>
         </message>
@@ -27590,6 +28054,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>to_diameter_mm leaves nothing to face</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>too many axes for these signals</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27857,7 +28325,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use --tcp 127.0.0.1:PORT instead of --pty</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use 10 and 10</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use 16000000</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27878,6 +28354,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>use G83 or G73, or leave peck_mm out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use G92</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28049,7 +28529,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>use o, nu, na, {0}</source>
+            <source>use o, nu, na, {parameters}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28141,6 +28621,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use {units}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use {ways}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>value {value}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28150,6 +28638,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>wait a moment, then try again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>wait for room</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28313,6 +28805,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write #1=2</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write 0 where the edge does not matter</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28362,6 +28858,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write G17, G18 or G19 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write G18</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28417,6 +28917,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write HOST:PORT, as 127.0.0.1:2300</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write KEY=VALUE, for example axis.x.steps_per_mm=80</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28425,7 +28929,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write M5 ${0} before</source>
+            <source>write M5 ${tool} before</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28442,6 +28946,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write M70 before, in the same subroutine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write M98 P1234</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write N10</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28474,6 +28986,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write [[press]] with pin (one of {names}), at_s and, if not {tap_s:g}, for_s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write [[{key}]]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28613,6 +29133,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write for example: b 5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write for grbl or linuxcnc</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28706,6 +29230,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write rows = [{ ... }, { ... }]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28821,10 +29349,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>write {0} to {1}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>write {keyword} [condition]</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28834,6 +29358,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write {key} = "name"</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {least} to {most}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29046,6 +29574,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{count} elements are for one language: those in English, or in none, are read</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} jobs run</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29549,6 +30081,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{meaning} (ALARM:{number})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{meaning} (error:{error})</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29806,6 +30342,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{option} and {other} would write the same file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{option} would replace a file of another kind, or of somebody else's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{option} would replace a file that exists already</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{option} would write over {what}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -4867,6 +4867,10 @@
             <translation>Escolha aqui</translation>
         </message>
         <message>
+            <source>Choose values that were saved before, or type a name to save the present ones</source>
+            <translation>Escolha valores salvos antes, ou digite um nome para salvar os atuais</translation>
+        </message>
+        <message>
             <source>Choose what the machine does, and the machine that is nearest to yours.</source>
             <translation>Escolha o que a máquina faz e a máquina mais parecida com a sua.</translation>
         </message>
@@ -5123,6 +5127,10 @@
             <translation>Corrija primeiro o que está marcado.</translation>
         </message>
         <message>
+            <source>Correct the marked values first</source>
+            <translation>Corrija primeiro os valores marcados</translation>
+        </message>
+        <message>
             <source>Count</source>
             <translation>Quantidade</translation>
         </message>
@@ -5273,6 +5281,10 @@
         <message>
             <source>Delete the marked tool</source>
             <translation>Exclui a ferramenta marcada</translation>
+        </message>
+        <message>
+            <source>Delete the preset of this name</source>
+            <translation>Excluir a predefinição deste nome</translation>
         </message>
         <message>
             <source>Deleted drawing</source>
@@ -7063,10 +7075,6 @@
             <translation>Já é usinada por último</translation>
         </message>
         <message>
-            <source>It is not known where the part lies on the table: home the machine, then set the work zero.</source>
-            <translation>Não se sabe onde a peça está na mesa: referencie a máquina, depois defina o zero de trabalho.</translation>
-        </message>
-        <message>
             <source>It is your copy of a shipped profile, and is used in its place.</source>
             <translation>É a sua cópia de um perfil fornecido, e toma o lugar dele.</translation>
         </message>
@@ -8579,6 +8587,10 @@
             <translation>Pré-aquecimento</translation>
         </message>
         <message>
+            <source>Preset</source>
+            <translation>Predefinição</translation>
+        </message>
+        <message>
             <source>Preset speeds</source>
             <translation>Rotações fixas</translation>
         </message>
@@ -9129,6 +9141,10 @@ altura</translation>
         <message>
             <source>Save as…</source>
             <translation>Salvar como…</translation>
+        </message>
+        <message>
+            <source>Save how this operation cuts under the name in the line</source>
+            <translation>Salvar como esta operação corta sob o nome na linha</translation>
         </message>
         <message>
             <source>Save or revert this chart first</source>
@@ -13366,6 +13382,10 @@ altura</translation>
             <translation>'{words}' não é uma velocidade: escreva por exemplo F500 (mm/min)</translation>
         </message>
         <message>
+            <source>'{word} {number}' says no length or line</source>
+            <translation>'{word} {number}' não diz comprimento nem linha</translation>
+        </message>
+        <message>
             <source>(Did you mean one of: {possibilities}?)</source>
             <translation>(Você quis dizer uma destas: {possibilities}?)</translation>
         </message>
@@ -15404,6 +15424,14 @@ altura</translation>
             <translation>um arquivo</translation>
         </message>
         <message>
+            <source>a file that {what} names</source>
+            <translation>um arquivo que {what} nomeia</translation>
+        </message>
+        <message>
+            <source>a subroutine that is called</source>
+            <translation>uma sub-rotina que é chamada</translation>
+        </message>
+        <message>
             <source>a turned part is drawn as its half section, at one moment: leave --view out</source>
             <translation>uma peça torneada é desenhada como meia seção, em um momento: não dê --view</translation>
         </message>
@@ -15570,6 +15598,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhuma conversão faz dele um programa para {target}: {reason}</translation>
         </message>
         <message>
+            <source>no job '{name}' runs</source>
+            <translation>nenhum trabalho '{name}' está em execução</translation>
+        </message>
+        <message>
             <source>no job is unfinished: every one whose journal is kept was cut to its end</source>
             <translation>nenhum trabalho está inacabado: todos cujo diário está guardado foram cortados até o fim</translation>
         </message>
@@ -15588,6 +15620,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>nothing was written</source>
             <translation>nada foi escrito</translation>
+        </message>
+        <message>
+            <source>one of {what} that are read</source>
+            <translation>um de {what}, que são lidos</translation>
         </message>
         <message>
             <source>part    height        d1        d2        d3      mean  deviation     ratio  height's</source>
@@ -15658,12 +15694,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o trabalho está dividido em {parts} programas: diga com --part qual deles é este</translation>
         </message>
         <message>
+            <source>the machine is not homed: {state}</source>
+            <translation>a máquina não está referenciada: {state}</translation>
+        </message>
+        <message>
             <source>the profile does not say what drives {axis}: add [axis.{axis}.drive] to it</source>
             <translation>o perfil não diz o que aciona {axis}: acrescente [axis.{axis}.drive] a ele</translation>
         </message>
         <message>
             <source>the profile says what drives the axis: leave the drive's options out</source>
             <translation>o perfil diz o que aciona o eixo: não dê as opções do acionamento</translation>
+        </message>
+        <message>
+            <source>the program pauses: {why}</source>
+            <translation>o programa pausa: {why}</translation>
         </message>
         <message>
             <source>these options belong to --turn, not to --tool</source>
@@ -15724,6 +15768,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{copied_from} ships with the program and stays as it is; your copy takes its place</source>
             <translation>{copied_from} é fornecido com o programa e fica como está; a sua cópia toma o lugar dele</translation>
+        </message>
+        <message>
+            <source>{count} jobs run</source>
+            <translation>{count} trabalhos estão em execução</translation>
         </message>
         <message>
             <source>{drawing}: written, what the script draws</source>
@@ -15941,6 +15989,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <source>{value} is not in the range {range}.</source>
             <translation>{value} não está no intervalo {range}.</translation>
         </message>
+        <message>
+            <source>{what} that is read</source>
+            <translation>{what} que é lido</translation>
+        </message>
+        <message>
+            <source>{what}, which is read</source>
+            <translation>{what}, que é lido</translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper core</name>
@@ -15971,6 +16027,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>'{0}' is no number</source>
             <translation>'{0}' não é um número</translation>
+        </message>
+        <message>
+            <source>'{address}' is not an address</source>
+            <translation>'{address}' não é um endereço</translation>
         </message>
         <message>
             <source>'{axes}' names no axes</source>
@@ -16009,6 +16069,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>'{file}' não é um tipo de folha que se possa gravar</translation>
         </message>
         <message>
+            <source>'{file}' is no picture that can be drawn</source>
+            <translation>'{file}' não é uma imagem que possa ser desenhada</translation>
+        </message>
+        <message>
             <source>'{inner}' and '{outer}' cross, so that it is not clear what lies inside</source>
             <translation>'{inner}' e '{outer}' se cruzam, de modo que não está claro o que fica dentro</translation>
         </message>
@@ -16039,6 +16103,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>'{line}' is no block that only switches, as M8, M3S9000 or M64P0</source>
             <translation>'{line}' não é um bloco que só comuta, como M8, M3S9000 ou M64P0</translation>
+        </message>
+        <message>
+            <source>'{line}' is no press: type {name}, press {name} or release {name}; pins are {names}</source>
+            <translation>'{line}' não é um toque: digite {name}, press {name} ou release {name}; os pinos são {names}</translation>
         </message>
         <message>
             <source>'{line}' is no row of a profile</source>
@@ -16073,6 +16141,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>'{part}' em '{line}' não diz nada de um canto nem de um arco</translation>
         </message>
         <message>
+            <source>'{path}' cannot be written: {error}</source>
+            <translation>'{path}' não pode ser escrito: {error}</translation>
+        </message>
+        <message>
             <source>'{path}' is no file of part records</source>
             <translation>'{path}' não é um arquivo de registros de peças</translation>
         </message>
@@ -16083,6 +16155,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>'{path}' is no tool file that is known</source>
             <translation>'{path}' não é um arquivo de ferramentas conhecido</translation>
+        </message>
+        <message>
+            <source>'{path}' leads to a terminal that is in use</source>
+            <translation>'{path}' leva a um terminal em uso</translation>
         </message>
         <message>
             <source>'{solid}' is no solid and cannot be a clamp</source>
@@ -16115,6 +16191,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>'{words}' is no length or angle that is known</source>
             <translation>'{words}' não é um comprimento ou ângulo conhecido</translation>
+        </message>
+        <message>
+            <source>'{word} {number}' says no length or line</source>
+            <translation>'{word} {number}' não diz comprimento nem linha</translation>
         </message>
         <message>
             <source>'{word}' changes no key</source>
@@ -16921,6 +17001,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>Peças e placas</translation>
         </message>
         <message>
+            <source>Presets of operations: values by key, under the cycle and a name</source>
+            <translation>Predefinições de operações: valores por chave, sob o ciclo e um nome</translation>
+        </message>
+        <message>
             <source>Price</source>
             <translation>Preço</translation>
         </message>
@@ -17617,6 +17701,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um driver de motor acusa falha</translation>
         </message>
         <message>
+            <source>a motor misses a place</source>
+            <translation>um motor pula um lugar</translation>
+        </message>
+        <message>
+            <source>a move to no known place</source>
+            <translation>um movimento para lugar desconhecido</translation>
+        </message>
+        <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation>um movimento terminaria fora do curso (limite de software)</translation>
         </message>
@@ -17743,6 +17835,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a point is too far away</source>
             <translation>um ponto está longe demais</translation>
+        </message>
+        <message>
+            <source>a preset cannot be named '{name}'</source>
+            <translation>uma predefinição não pode se chamar '{name}'</translation>
+        </message>
+        <message>
+            <source>a press of the timeline is none</source>
+            <translation>um toque da linha do tempo não é toque</translation>
         </message>
         <message>
             <source>a probe or an input sets it on the machine</source>
@@ -17993,6 +18093,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma ferramenta de roscar</translation>
         </message>
         <message>
+            <source>a time of a press is none</source>
+            <translation>um tempo de um toque não é tempo</translation>
+        </message>
+        <message>
+            <source>a timeline holds nothing but presses</source>
+            <translation>uma linha do tempo só contém toques</translation>
+        </message>
+        <message>
             <source>a tolerance must be above 0</source>
             <translation>uma tolerância deve ser maior que 0</translation>
         </message>
@@ -18105,6 +18213,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma palavra aparece duas vezes na linha</translation>
         </message>
         <message>
+            <source>a work system that is turned (G10 L2 R) is read, but its moves cannot be judged</source>
+            <translation>um sistema de trabalho girado (G10 L2 R) é lido, mas os seus movimentos não podem ser julgados</translation>
+        </message>
+        <message>
             <source>a {kind} tool</source>
             <translation>uma ferramenta de {kind}</translation>
         </message>
@@ -18197,6 +18309,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acrescente G0 ou G1</translation>
         </message>
         <message>
+            <source>add P</source>
+            <translation>acrescente P</translation>
+        </message>
+        <message>
+            <source>add Q</source>
+            <translation>acrescente Q</translation>
+        </message>
+        <message>
             <source>add closed = true to the rule, or mend the drawing</source>
             <translation>acrescente closed = true à regra, ou conserte o desenho</translation>
         </message>
@@ -18215,6 +18335,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>add one before the first cut</source>
             <translation>acrescente uma antes do primeiro corte</translation>
+        </message>
+        <message>
+            <source>add pid_file = a session file of the sender</source>
+            <translation>acrescente pid_file = um arquivo de sessão de quem envia</translation>
         </message>
         <message>
             <source>add the missing pass, or lower the stepover or the stepdown</source>
@@ -18249,8 +18373,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acrescente {key} = e o seu valor</translation>
         </message>
         <message>
+            <source>add {letter}</source>
+            <translation>acrescente {letter}</translation>
+        </message>
+        <message>
             <source>add {letter} to the line</source>
             <translation>acrescente {letter} à linha</translation>
+        </message>
+        <message>
+            <source>add {name} = {words}</source>
+            <translation>acrescente {name} = {words}</translation>
         </message>
         <message>
             <source>after a stop the first move names all its axes, on one straight way: let the machine stand above the work</source>
@@ -18291,6 +18423,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>an arc needs a known start point</source>
             <translation>um arco precisa de um ponto inicial conhecido</translation>
+        </message>
+        <message>
+            <source>an arc needs a radius</source>
+            <translation>um arco precisa de um raio</translation>
         </message>
         <message>
             <source>an arc needs arc = "cw" or "ccw", and radius_mm or centre</source>
@@ -19077,6 +19213,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escolha outro lugar</translation>
         </message>
         <message>
+            <source>choose another port, or 0 for any that is free</source>
+            <translation>escolha outra porta, ou 0 para qualquer uma livre</translation>
+        </message>
+        <message>
             <source>choose another process in the job, or delete the operation</source>
             <translation>escolha outro processo no trabalho, ou apague a operação</translation>
         </message>
@@ -19115,6 +19255,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>choose one of: {choices}</source>
             <translation>escolha um destes: {choices}</translation>
+        </message>
+        <message>
+            <source>choose one with --session</source>
+            <translation>escolha um com --session</translation>
         </message>
         <message>
             <source>choose other values, or try again</source>
@@ -19317,8 +19461,32 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>corner_radius_mm não pode passar da metade de diameter_mm</translation>
         </message>
         <message>
+            <source>correct D</source>
+            <translation>corrija D</translation>
+        </message>
+        <message>
+            <source>correct I</source>
+            <translation>corrija I</translation>
+        </message>
+        <message>
+            <source>correct L</source>
+            <translation>corrija L</translation>
+        </message>
+        <message>
+            <source>correct P</source>
+            <translation>corrija P</translation>
+        </message>
+        <message>
+            <source>correct Q</source>
+            <translation>corrija Q</translation>
+        </message>
+        <message>
             <source>correct Q, P or R</source>
             <translation>corrija Q, P ou R</translation>
+        </message>
+        <message>
+            <source>correct R</source>
+            <translation>corrija R</translation>
         </message>
         <message>
             <source>correct R or the end point</source>
@@ -19359,6 +19527,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>correct its spelling or take it out; known {table}are: {known}</source>
             <translation>corrija a grafia ou retire; as conhecidas {table}são: {known}</translation>
+        </message>
+        <message>
+            <source>correct or delete that entry</source>
+            <translation>corrija ou apague essa entrada</translation>
         </message>
         <message>
             <source>correct rotations_deg or grain_deg</source>
@@ -19523,6 +19695,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>correct work zero or program, then unlock with $X; the position is kept</source>
             <translation>corrija o zero-peça ou o programa e destrave com $X; a posição se mantém</translation>
+        </message>
+        <message>
+            <source>correct {letter}</source>
+            <translation>corrija {letter}</translation>
         </message>
         <message>
             <source>count is no whole number within its bounds</source>
@@ -19773,12 +19949,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acione o laser por um controlador com o modo laser do grbl</translation>
         </message>
         <message>
+            <source>drop $</source>
+            <translation>retire $</translation>
+        </message>
+        <message>
+            <source>drop L</source>
+            <translation>retire L</translation>
+        </message>
+        <message>
             <source>drop it</source>
             <translation>retire-a</translation>
         </message>
         <message>
             <source>drop the line</source>
             <translation>retire a linha</translation>
+        </message>
+        <message>
+            <source>drop {letter}</source>
+            <translation>retire {letter}</translation>
         </message>
         <message>
             <source>edge_mm must not be below zero</source>
@@ -19807,6 +19995,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>end it in .pdf or .html</source>
             <translation>termine-o em .pdf ou .html</translation>
+        </message>
+        <message>
+            <source>end it in .png or .svg</source>
+            <translation>termine em .png ou .svg</translation>
         </message>
         <message>
             <source>end it with #</source>
@@ -19849,8 +20041,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>termine a troca de ferramenta e continue</translation>
         </message>
         <message>
+            <source>end the virtual machine that is there, or give another path; remove the link if it was killed</source>
+            <translation>encerre a máquina virtual que está ali ou dê outro caminho; remova o link se ela foi morta</translation>
+        </message>
+        <message>
             <source>ends were moved together</source>
             <translation>pontas foram unidas</translation>
+        </message>
+        <message>
+            <source>enlarge Q</source>
+            <translation>aumente Q</translation>
         </message>
         <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
@@ -20129,8 +20329,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>informe uma linha</translation>
         </message>
         <message>
+            <source>give a path in a folder that exists, where nothing stands yet</source>
+            <translation>dê um caminho em uma pasta que exista, onde ainda não haja nada</translation>
+        </message>
+        <message>
             <source>give a program that cuts along X and Y</source>
             <translation>dê um programa que corte em X e Y</translation>
+        </message>
+        <message>
+            <source>give a session file of the sender</source>
+            <translation>dê um arquivo de sessão de quem envia</translation>
         </message>
         <message>
             <source>give a smaller file</source>
@@ -20161,6 +20369,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva uma palavra F antes do primeiro movimento de avanço</translation>
         </message>
         <message>
+            <source>give another name</source>
+            <translation>dê outro nome</translation>
+        </message>
+        <message>
+            <source>give another name, or --overwrite to replace it</source>
+            <translation>dê outro nome, ou --overwrite para substituí-lo</translation>
+        </message>
+        <message>
+            <source>give another path</source>
+            <translation>dê outro caminho</translation>
+        </message>
+        <message>
             <source>give dwell_s, or use G81</source>
             <translation>indique dwell_s ou use G81</translation>
         </message>
@@ -20181,8 +20401,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>dê a cada linha um número próprio</translation>
         </message>
         <message>
+            <source>give either --pty or --tcp</source>
+            <translation>dê --pty ou --tcp</translation>
+        </message>
+        <message>
             <source>give either screw_pitch_mm, or belt_pitch_mm and pulley_teeth</source>
             <translation>informe screw_pitch_mm, ou então belt_pitch_mm e pulley_teeth</translation>
+        </message>
+        <message>
+            <source>give every axis a number</source>
+            <translation>dê um número a cada eixo</translation>
         </message>
         <message>
             <source>give every line as many</source>
@@ -20203,6 +20431,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
             <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
+        </message>
+        <message>
+            <source>give it a short name on one line</source>
+            <translation>dê-lhe um nome curto em uma só linha</translation>
         </message>
         <message>
             <source>give it another name, or change that one with: cncstepper machine set</source>
@@ -20235,6 +20467,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>give one of them</source>
             <translation>informe um deles</translation>
+        </message>
+        <message>
+            <source>give one of: {addresses}</source>
+            <translation>dê um destes: {addresses}</translation>
         </message>
         <message>
             <source>give parameters {first} to {first2} with the start state, or use G53</source>
@@ -20323,6 +20559,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>give the work zero to have the travel checked</source>
             <translation>informe o zero-peça para que o curso seja verificado</translation>
+        </message>
+        <message>
+            <source>give them an interval</source>
+            <translation>dê a eles um intervalo</translation>
         </message>
         <message>
             <source>give them different homing passes ($44 to $46)</source>
@@ -20439,6 +20679,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>highest spindle speed</source>
             <translation>maior rotação do fuso</translation>
+        </message>
+        <message>
+            <source>hold and go back along the pulses with 'cncstepper back', or send the letters that are left</source>
+            <translation>retenha e volte pelos pulsos com 'cncstepper back', ou envie as letras que faltam</translation>
         </message>
         <message>
             <source>hold it first</source>
@@ -20629,6 +20873,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>começa com {0}</translation>
         </message>
         <message>
+            <source>it cannot be read: {error}</source>
+            <translation>não pode ser lido: {error}</translation>
+        </message>
+        <message>
             <source>it changes a file</source>
             <translation>ele altera um arquivo</translation>
         </message>
@@ -20755,6 +21003,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>it holds more than a bundle does</source>
             <translation>contém mais do que um pacote</translation>
+        </message>
+        <message>
+            <source>it holds no process to kill</source>
+            <translation>não contém processo a matar</translation>
         </message>
         <message>
             <source>it is a device</source>
@@ -21097,8 +21349,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>fique meia largura de corte ao lado da peça</translation>
         </message>
         <message>
-            <source>keep within {0} mm</source>
-            <translation>fique dentro de {0} mm</translation>
+            <source>keep within {most:g} mm</source>
+            <translation>fique dentro de {most:g} mm</translation>
         </message>
         <message>
             <source>kept only if the controller stayed powered and was not reset in motion; a greeting, an alarm or a wrong position shows that it was: then {home}; {until_homed}</source>
@@ -21235,6 +21487,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>leave them out</source>
             <translation>deixe-os de fora</translation>
+        </message>
+        <message>
+            <source>leave those axes out</source>
+            <translation>omita esses eixos</translation>
         </message>
         <message>
             <source>leave {key} out</source>
@@ -21525,6 +21781,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>baixe o avanço ou gire o fuso mais rápido</translation>
         </message>
         <message>
+            <source>lower the greatest rate of the axis, or shorten pulse_us and gap_us as its drive allows</source>
+            <translation>diminua a maior velocidade do eixo, ou encurte pulse_us e gap_us como o driver permite</translation>
+        </message>
+        <message>
             <source>lower the stepover, enter by a helix, or leave less in the corners</source>
             <translation>diminua a penetração de trabalho, entre em hélice, ou deixe menos material nos cantos</translation>
         </message>
@@ -21539,6 +21799,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>machines with more than three axes are not written in this dialect</source>
             <translation>neste dialeto não se escrevem programas para máquinas com mais de três eixos</translation>
+        </message>
+        <message>
+            <source>made by CNCStepper</source>
+            <translation>feito pelo CNCStepper</translation>
         </message>
         <message>
             <source>make D smaller</source>
@@ -21809,6 +22073,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>mova os outros eixos antes</translation>
         </message>
         <message>
+            <source>move the centre</source>
+            <translation>mova o centro</translation>
+        </message>
+        <message>
             <source>move the holes apart, join them, or draw a slit yourself</source>
             <translation>afaste os furos, una-os, ou desenhe você mesmo uma fenda</translation>
         </message>
@@ -21877,6 +22145,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>mova {letter} em uma linha própria</translation>
         </message>
         <message>
+            <source>moves of A B C U V W are read, but cannot be proven, simulated or timed</source>
+            <translation>movimentos de A B C U V W são lidos, mas não podem ser provados, simulados ou cronometrados</translation>
+        </message>
+        <message>
             <source>must be a list</source>
             <translation>deve ser uma lista</translation>
         </message>
@@ -21939,6 +22211,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>name an axis that it has</source>
             <translation>indique um eixo que ela tenha</translation>
+        </message>
+        <message>
+            <source>name another</source>
+            <translation>dê outro nome</translation>
         </message>
         <message>
             <source>name another machine</source>
@@ -22105,12 +22381,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhum jato trabalha com mais de 10 kbar</translation>
         </message>
         <message>
+            <source>no job '{name}' runs</source>
+            <translation>nenhum trabalho '{name}' está em execução</translation>
+        </message>
+        <message>
             <source>no job is held</source>
             <translation>nenhum trabalho está retido</translation>
         </message>
         <message>
             <source>no job runs</source>
             <translation>nenhum trabalho está em execução</translation>
+        </message>
+        <message>
+            <source>no link can be made at '{path}': {error}</source>
+            <translation>nenhum link pode ser feito em '{path}': {error}</translation>
         </message>
         <message>
             <source>no machine holds a tenth of a micron, and above 10 mm nothing is held</source>
@@ -22409,6 +22693,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não é um objeto JSON</translation>
         </message>
         <message>
+            <source>not an object of keys and values</source>
+            <translation>não é um objeto de chaves e valores</translation>
+        </message>
+        <message>
             <source>not an outcome: it has no end state</source>
             <translation>não é um resultado: não diz como terminou</translation>
         </message>
@@ -22437,16 +22725,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>notes deve ser uma lista</translation>
         </message>
         <message>
-            <source>nothing answers</source>
-            <translation>nada responde</translation>
-        </message>
-        <message>
             <source>nothing answers at {name}: {error}</source>
             <translation>nada responde em {name}: {error}</translation>
         </message>
         <message>
             <source>nothing answers at {name}: {text}</source>
             <translation>nada responde em {name}: {text}</translation>
+        </message>
+        <message>
+            <source>nothing answers at {port}</source>
+            <translation>nada responde em {port}</translation>
         </message>
         <message>
             <source>nothing has been cut yet, so there is no way back</source>
@@ -22487,6 +22775,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>nothing more is sent to the lathe: {0}</source>
             <translation>nada mais é enviado ao torno: {0}</translation>
+        </message>
+        <message>
+            <source>nothing more of the test is sent</source>
+            <translation>nada mais do teste é enviado</translation>
         </message>
         <message>
             <source>nothing moves</source>
@@ -22765,6 +23057,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>pino {pin} de {port}</translation>
         </message>
         <message>
+            <source>pins are {pins}</source>
+            <translation>os pinos são {pins}</translation>
+        </message>
+        <message>
+            <source>pins that are on: {pins}</source>
+            <translation>pinos ligados: {pins}</translation>
+        </message>
+        <message>
             <source>pins.{name} is no signal; there are {known}</source>
             <translation>pins.{name} não é um sinal; existem {known}</translation>
         </message>
@@ -22779,6 +23079,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>pins: two signals are on one pin</source>
             <translation>pins: dois sinais estão no mesmo pino</translation>
+        </message>
+        <message>
+            <source>pins: {pins}</source>
+            <translation>pinos: {pins}</translation>
         </message>
         <message>
             <source>pip could not install the packages: {said}</source>
@@ -22887,6 +23191,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>prove parts of the program alone</source>
             <translation>verifique partes do programa em separado</translation>
+        </message>
+        <message>
+            <source>pulse letters name no places, so that no entry can be written for them</source>
+            <translation>letras de pulso não nomeiam lugares, e nenhuma entrada pode ser escrita para elas</translation>
         </message>
         <message>
             <source>pulses are forgotten at rest only, not in state {state}</source>
@@ -23051,6 +23359,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>real time</source>
             <translation>tempo real</translation>
+        </message>
+        <message>
+            <source>recompute the document</source>
+            <translation>recalcule o documento</translation>
         </message>
         <message>
             <source>redraw it</source>
@@ -23277,6 +23589,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>salve a máquina de novo no editor de máquinas do FreeCAD (CAM)</translation>
         </message>
         <message>
+            <source>say it in the machine's profile: [signals] pins = {{ {name} = 2, ... }}</source>
+            <translation>diga-o no perfil da máquina: [signals] pins = {{ {name} = 2, ... }}</translation>
+        </message>
+        <message>
             <source>scale all axes alike</source>
             <translation>use a mesma escala em todos os eixos</translation>
         </message>
@@ -23291,6 +23607,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>scripts that are written from the right are not set</source>
             <translation>escritas da direita para a esquerda não são compostas</translation>
+        </message>
+        <message>
+            <source>see --help</source>
+            <translation>veja --help</translation>
         </message>
         <message>
             <source>see its log, and the machine</source>
@@ -23309,8 +23629,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>veja se o relógio conta no sentido do eixo e meça de novo</translation>
         </message>
         <message>
+            <source>see that the way to the switches is free, then home again</source>
+            <translation>veja que o caminho até as chaves esteja livre e faça a referência de novo</translation>
+        </message>
+        <message>
+            <source>see to that, then `cncstepper go --pause`</source>
+            <translation>cuide disso e depois `cncstepper go --pause`</translation>
+        </message>
+        <message>
             <source>see whether it is whole</source>
             <translation>veja se está completo</translation>
+        </message>
+        <message>
+            <source>see {log}</source>
+            <translation>veja {log}</translation>
         </message>
         <message>
             <source>select a sketch, wires, faces or edges</source>
@@ -23331,6 +23663,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>send another one</source>
             <translation>envie outro</translation>
+        </message>
+        <message>
+            <source>send each with the certificate that `run` wrote beside it</source>
+            <translation>envie cada um com o certificado que `run` escreveu ao lado</translation>
         </message>
         <message>
             <source>send it again</source>
@@ -23363,6 +23699,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>set $0 to 3 or more</source>
             <translation>ponha $0 em 3 ou mais</translation>
+        </message>
+        <message>
+            <source>set $10=1</source>
+            <translation>defina $10=1</translation>
         </message>
         <message>
             <source>set $22=1 if the machine has limit switches</source>
@@ -23605,8 +23945,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>sólidos do arquivo se sobrepõem na chapa {number}</translation>
         </message>
         <message>
-            <source>something else than grbl answers</source>
-            <translation>quem responde não é um grbl</translation>
+            <source>something else than grbl answers at {port}</source>
+            <translation>quem responde em {port} não é um grbl</translation>
         </message>
         <message>
             <source>spacing_mm asks for more than {most_tabs} tabs on one contour</source>
@@ -23797,6 +24137,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>as sub-rotinas chamam umas às outras fundo demais</translation>
         </message>
         <message>
+            <source>switch it by hand</source>
+            <translation>ligue-o à mão</translation>
+        </message>
+        <message>
             <source>switch it off and on again; if it stays, look at its wiring</source>
             <translation>desligue e ligue de novo; se continuar, verifique a fiação</translation>
         </message>
@@ -23979,6 +24323,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>take text out of it</source>
             <translation>retire texto dele</translation>
+        </message>
+        <message>
+            <source>take the fault 'disk' out</source>
+            <translation>retire a falha 'disk'</translation>
         </message>
         <message>
             <source>take the kerf from the chart</source>
@@ -24177,6 +24525,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a da base</translation>
         </message>
         <message>
+            <source>the baud rate is out of range</source>
+            <translation>a velocidade em baud está fora da faixa</translation>
+        </message>
+        <message>
             <source>the beam is never on during a cut</source>
             <translation>o feixe nunca está ligado onde deveria cortar</translation>
         </message>
@@ -24187,6 +24539,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the blade is wider than the groove</source>
             <translation>o bedame é mais largo que o canal</translation>
+        </message>
+        <message>
+            <source>the board has no byte that switches {device}</source>
+            <translation>a placa não tem byte que ligue {device}</translation>
+        </message>
+        <message>
+            <source>the board has no such motor</source>
+            <translation>a placa não tem esse motor</translation>
+        </message>
+        <message>
+            <source>the board has no such motors</source>
+            <translation>a placa não tem esses motores</translation>
         </message>
         <message>
             <source>the bore</source>
@@ -24327,6 +24691,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the configuration is not valid</source>
             <translation>a configuração não é válida</translation>
+        </message>
+        <message>
+            <source>the connection does not end</source>
+            <translation>a conexão não termina</translation>
         </message>
         <message>
             <source>the connection service does not start</source>
@@ -24905,6 +25273,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o fator deve ser maior que 0</translation>
         </message>
         <message>
+            <source>the fault 'kill' does not say whom</source>
+            <translation>a falha 'kill' não diz qual processo</translation>
+        </message>
+        <message>
             <source>the feed asks more of {name} than its highest rate</source>
             <translation>o avanço pede de {name} mais que a sua velocidade máxima</translation>
         </message>
@@ -25269,6 +25641,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o trabalho está prestes a continuar</translation>
         </message>
         <message>
+            <source>the job is not held</source>
+            <translation>o trabalho não está retido</translation>
+        </message>
+        <message>
             <source>the job is too long for a file that people read</source>
             <translation>o trabalho é longo demais para um arquivo que pessoas leem</translation>
         </message>
@@ -25423,6 +25799,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the lathe jogs at up to {0} mm/min, or at {1}: it takes the slower one</source>
             <translation>o torno se move à mão a até {0} mm/min, ou a {1}: fica a menor</translation>
+        </message>
+        <message>
+            <source>the lathe leaves a record out: {why}</source>
+            <translation>o torno omite um registro: {why}</translation>
         </message>
         <message>
             <source>the lathe's timer makes a lead of {lead:.4f} mm, not {wanted:.4f} mm: over the thread {off:.3f} mm; at {rpm:.2f} rpm it is right</source>
@@ -25647,6 +26027,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the machine is not held</source>
             <translation>a máquina não está em pausa</translation>
+        </message>
+        <message>
+            <source>the machine is not homed: {state}</source>
+            <translation>a máquina não está referenciada: {state}</translation>
         </message>
         <message>
             <source>the machine is not idle</source>
@@ -25993,6 +26377,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o plano não pode ser mudado</translation>
         </message>
         <message>
+            <source>the planner has no free block</source>
+            <translation>o planejador não tem bloco livre</translation>
+        </message>
+        <message>
             <source>the pocket is so narrow that its way at this engagement would be too long beside parallels</source>
             <translation>o bolsão é tão estreito que seu caminho com este engajamento seria longo demais em relação às paralelas</translation>
         </message>
@@ -26035,6 +26423,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the power is on at the pierce for much longer than the chart's delay</source>
             <translation>a potência fica parada na perfuração muito mais do que o tempo da tabela</translation>
+        </message>
+        <message>
+            <source>the preset {cycle}.{name} is no table of values</source>
+            <translation>a predefinição {cycle}.{name} não é uma tabela de valores</translation>
         </message>
         <message>
             <source>the probe is at its target already</source>
@@ -26269,6 +26661,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o programa faz pausa com a potência ligada</translation>
         </message>
         <message>
+            <source>the program pauses: {why}</source>
+            <translation>o programa pausa: {why}</translation>
+        </message>
+        <message>
             <source>the program runs on and on: is there a loop without an end?</source>
             <translation>o programa não para de executar: há um laço sem fim?</translation>
         </message>
@@ -26321,6 +26717,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não é mais possível ler o arquivo do programa: {why}</translation>
         </message>
         <message>
+            <source>the programs of a job that is split, one a tool, are proven one after the other</source>
+            <translation>os programas de um trabalho dividido, um por ferramenta, são provados um após o outro</translation>
+        </message>
+        <message>
             <source>the proof failed by a fault of its own: {kind}: {error}</source>
             <translation>a verificação falhou por um defeito próprio: {kind}: {error}</translation>
         </message>
@@ -26331,6 +26731,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the proxy of this network does not let pip through</source>
             <translation>o proxy desta rede não deixa o pip passar</translation>
+        </message>
+        <message>
+            <source>the pulses come faster than the signals of this machine can follow</source>
+            <translation>os pulsos vêm mais rápido do que os sinais desta máquina podem acompanhar</translation>
         </message>
         <message>
             <source>the pulses have ended</source>
@@ -26497,6 +26901,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o emissor ou seu computador parou sem avisar; o controlador pode ter executado o que tinha na memória</translation>
         </message>
         <message>
+            <source>the sender's disk cannot be filled from here</source>
+            <translation>o disco de quem envia não pode ser enchido daqui</translation>
+        </message>
+        <message>
             <source>the sender's process does not start</source>
             <translation>o processo de envio não inicia</translation>
         </message>
@@ -26581,6 +26989,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o lado menor</translation>
         </message>
         <message>
+            <source>the signal {name} is on no pin of the parallel port</source>
+            <translation>o sinal {name} não está em nenhum pino da porta paralela</translation>
+        </message>
+        <message>
             <source>the simulation's process has ended</source>
             <translation>o processo que conhece a peça em cada momento terminou</translation>
         </message>
@@ -26611,6 +27023,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the solid or a value has changed since the sheets were made</source>
             <translation>o sólido ou um valor mudou desde que as chapas foram feitas</translation>
+        </message>
+        <message>
+            <source>the speed is out of range</source>
+            <translation>a velocidade está fora da faixa</translation>
         </message>
         <message>
             <source>the spindle cannot turn at this speed</source>
@@ -26953,6 +27369,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a tocha não pode ser desligada</translation>
         </message>
         <message>
+            <source>the trace '{path}' cannot be written: {error}</source>
+            <translation>o registro '{path}' não pode ser escrito: {error}</translation>
+        </message>
+        <message>
             <source>the triangles of the STL file are not whole</source>
             <translation>os triângulos do arquivo STL não estão completos</translation>
         </message>
@@ -26979,6 +27399,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the virtual grbl ended at once</source>
             <translation>o grbl virtual terminou logo</translation>
+        </message>
+        <message>
+            <source>the virtual machine asks nobody for a password, so it does not listen on '{host}'</source>
+            <translation>a máquina virtual não pede senha a ninguém, por isso não escuta em '{host}'</translation>
+        </message>
+        <message>
+            <source>the virtual machine cannot listen on {host}:{port}: {error}</source>
+            <translation>a máquina virtual não pode escutar em {host}:{port}: {error}</translation>
+        </message>
+        <message>
+            <source>the virtual machine needs one port</source>
+            <translation>a máquina virtual precisa de uma porta</translation>
         </message>
         <message>
             <source>the volume of the stack is off by {off:+.1f} %: take thinner sheets, or let thin walls stand on them</source>
@@ -27125,8 +27557,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>depois executa {own} linhas do programa como estão; tudo antes delas é dado como cortado</translation>
         </message>
         <message>
-            <source>there are A to Z for pulses and {0} for devices</source>
-            <translation>há de A a Z para pulsos e {0} para dispositivos</translation>
+            <source>there are A to Z for pulses and {devices} for devices</source>
+            <translation>há A a Z para pulsos e {devices} para dispositivos</translation>
         </message>
         <message>
             <source>there are no packages in the folder or zip</source>
@@ -27143,6 +27575,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>there are {count} lines, none at {index}</source>
             <translation>há {count} linhas, nenhuma em {index}</translation>
+        </message>
+        <message>
+            <source>there are {kinds}</source>
+            <translation>há {kinds}</translation>
         </message>
         <message>
             <source>there are: {axes}</source>
@@ -27209,6 +27645,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não há furo em que a barra de mandrilar entre</translation>
         </message>
         <message>
+            <source>there is no input '{name}'</source>
+            <translation>não há entrada '{name}'</translation>
+        </message>
+        <message>
             <source>there is no key {key}</source>
             <translation>não há chave {key}</translation>
         </message>
@@ -27243,6 +27683,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>there is no part to draw</source>
             <translation>não há peça a desenhar</translation>
+        </message>
+        <message>
+            <source>there is no pin '{pin}'</source>
+            <translation>não há pino '{pin}'</translation>
         </message>
         <message>
             <source>there is no port {name}</source>
@@ -27321,6 +27765,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não há {packages} para o Python {version} no {system}</translation>
         </message>
         <message>
+            <source>there is nothing to do</source>
+            <translation>não há nada a fazer</translation>
+        </message>
+        <message>
             <source>there is nothing to find</source>
             <translation>não há nada a procurar</translation>
         </message>
@@ -27353,6 +27801,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>estas diagonais não são de um retângulo com estes lados</translation>
         </message>
         <message>
+            <source>these pulses have no time</source>
+            <translation>estes pulsos não têm tempo</translation>
+        </message>
+        <message>
             <source>this answer belongs to an earlier pause</source>
             <translation>a parada à qual isto responde já terminou</translation>
         </message>
@@ -27363,6 +27815,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>this client is detached</source>
             <translation>este cliente está desligado</translation>
+        </message>
+        <message>
+            <source>this clock's ticks are no whole picoseconds</source>
+            <translation>os pulsos deste relógio não são picossegundos inteiros</translation>
         </message>
         <message>
             <source>this comment would run Python on the machine</source>
@@ -27509,6 +27965,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>esta máquina não tem eixo Z: retire-o</translation>
         </message>
         <message>
+            <source>this machine has no fault '{kind}'</source>
+            <translation>esta máquina não tem falha '{kind}'</translation>
+        </message>
+        <message>
             <source>this machine has no output to switch (knife and point have no power): take it out</source>
             <translation>esta máquina não tem nada que se ligue (faca e ponta não têm potência): retire-o</translation>
         </message>
@@ -27565,6 +28025,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>este sistema não tem sockets Unix</translation>
         </message>
         <message>
+            <source>this system has no pseudo-terminals</source>
+            <translation>este sistema não tem pseudoterminais</translation>
+        </message>
+        <message>
             <source>this takes long and is calculated in the background</source>
             <translation>isto demora, e está sendo feito ao lado da janela</translation>
         </message>
@@ -27615,6 +28079,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>to_diameter_mm leaves nothing to face</source>
             <translation>to_diameter_mm não deixa nada para facear</translation>
+        </message>
+        <message>
+            <source>too many axes for these signals</source>
+            <translation>eixos demais para estes sinais</translation>
         </message>
         <message>
             <source>too many drawings, or one read in too many ways</source>
@@ -27881,8 +28349,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use + - * / ** MOD EQ NE GT GE LT LE AND OR XOR</translation>
         </message>
         <message>
+            <source>use --tcp 127.0.0.1:PORT instead of --pty</source>
+            <translation>use --tcp 127.0.0.1:PORT em vez de --pty</translation>
+        </message>
+        <message>
             <source>use 10 and 10</source>
             <translation>use 10 e 10</translation>
+        </message>
+        <message>
+            <source>use 16000000</source>
+            <translation>use 16000000</translation>
         </message>
         <message>
             <source>use G43 with the tool's number in H</source>
@@ -27903,6 +28379,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>use G83 or G73, or leave peck_mm out</source>
             <translation>use G83 ou G73, ou omita peck_mm</translation>
+        </message>
+        <message>
+            <source>use G92</source>
+            <translation>use G92</translation>
         </message>
         <message>
             <source>use I and J instead of R</source>
@@ -28073,8 +28553,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use o método "tolerance" ou uma ferramenta menor</translation>
         </message>
         <message>
-            <source>use o, nu, na, {0}</source>
-            <translation>use o, nu, na, {0}</translation>
+            <source>use o, nu, na, {parameters}</source>
+            <translation>use o, nu, na, {parameters}</translation>
         </message>
         <message>
             <source>use one of carbide</source>
@@ -28165,6 +28645,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use {functions} ou ATAN</translation>
         </message>
         <message>
+            <source>use {units}</source>
+            <translation>use {units}</translation>
+        </message>
+        <message>
+            <source>use {ways}</source>
+            <translation>use {ways}</translation>
+        </message>
+        <message>
             <source>value {value}</source>
             <translation>valor {value}</translation>
         </message>
@@ -28175,6 +28663,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>wait a moment, then try again</source>
             <translation>espere um momento e tente de novo</translation>
+        </message>
+        <message>
+            <source>wait for room</source>
+            <translation>espere por espaço</translation>
         </message>
         <message>
             <source>wait longer, hold or stop it</source>
@@ -28337,6 +28829,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>work_offset deve ser um destes: {work_systems}</translation>
         </message>
         <message>
+            <source>write #1=2</source>
+            <translation>escreva #1=2</translation>
+        </message>
+        <message>
             <source>write 0 where the edge does not matter</source>
             <translation>escreva 0 onde a borda não importa</translation>
         </message>
@@ -28387,6 +28883,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write G17, G18 or G19 before</source>
             <translation>escreva G17, G18 ou G19 antes</translation>
+        </message>
+        <message>
+            <source>write G18</source>
+            <translation>escreva G18</translation>
         </message>
         <message>
             <source>write G18 before</source>
@@ -28441,6 +28941,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva G94 antes</translation>
         </message>
         <message>
+            <source>write HOST:PORT, as 127.0.0.1:2300</source>
+            <translation>escreva HOST:PORTA, como 127.0.0.1:2300</translation>
+        </message>
+        <message>
             <source>write KEY=VALUE, for example axis.x.steps_per_mm=80</source>
             <translation>escreva CHAVE=VALOR, por exemplo axis.x.steps_per_mm=80</translation>
         </message>
@@ -28449,8 +28953,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva M2 ou M30 como última linha</translation>
         </message>
         <message>
-            <source>write M5 ${0} before</source>
-            <translation>escreva M5 ${0} antes</translation>
+            <source>write M5 ${tool} before</source>
+            <translation>escreva M5 ${tool} antes</translation>
         </message>
         <message>
             <source>write M5 before</source>
@@ -28467,6 +28971,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write M70 before, in the same subroutine</source>
             <translation>escreva M70 antes, na mesma sub-rotina</translation>
+        </message>
+        <message>
+            <source>write M98 P1234</source>
+            <translation>escreva M98 P1234</translation>
+        </message>
+        <message>
+            <source>write N10</source>
+            <translation>escreva N10</translation>
         </message>
         <message>
             <source>write P010060, for example</source>
@@ -28499,6 +29011,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write [[operation]]</source>
             <translation>escreva [[operation]]</translation>
+        </message>
+        <message>
+            <source>write [[press]] with pin (one of {names}), at_s and, if not {tap_s:g}, for_s</source>
+            <translation>escreva [[press]] com pin (um de {names}), at_s e, se não {tap_s:g}, for_s</translation>
+        </message>
+        <message>
+            <source>write [[{key}]]</source>
+            <translation>escreva [[{key}]]</translation>
         </message>
         <message>
             <source>write a G0 or G1 before</source>
@@ -28637,6 +29157,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva por exemplo XYZ, ou só Z</translation>
         </message>
         <message>
+            <source>write for example: b 5</source>
+            <translation>escreva, por exemplo: b 5</translation>
+        </message>
+        <message>
             <source>write for grbl or linuxcnc</source>
             <translation>escreva para grbl ou linuxcnc</translation>
         </message>
@@ -28731,6 +29255,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write plain moves, each in a line of its own, in coordinates that are not turned</source>
             <translation>escreva movimentos simples, cada um em sua linha, em coordenadas não giradas</translation>
+        </message>
+        <message>
+            <source>write rows = [{ ... }, { ... }]</source>
+            <translation>escreva rows = [{ ... }, { ... }]</translation>
         </message>
         <message>
             <source>write rules: [[rule]]</source>
@@ -28845,10 +29373,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva x_is = "{own}" ou dê ao controlador o nome "{name}:x={x_is}"</translation>
         </message>
         <message>
-            <source>write {0} to {1}</source>
-            <translation>escreva de {0} a {1}</translation>
-        </message>
-        <message>
             <source>write {keyword} [condition]</source>
             <translation>escreva {keyword} [condição]</translation>
         </message>
@@ -28859,6 +29383,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write {key} = "name"</source>
             <translation>escreva {key} = "nome"</translation>
+        </message>
+        <message>
+            <source>write {least} to {most}</source>
+            <translation>escreva de {least} a {most}</translation>
         </message>
         <message>
             <source>write {number} within these bounds: {why}</source>
@@ -29071,6 +29599,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{count} elements are for one language: those in English, or in none, are read</source>
             <translation>{count} elementos são de um idioma: são lidos os que estão em inglês ou em nenhum</translation>
+        </message>
+        <message>
+            <source>{count} jobs run</source>
+            <translation>{count} trabalhos estão em execução</translation>
         </message>
         <message>
             <source>{count} joints do not fit on {chain}</source>
@@ -29573,6 +30105,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{match} não é um número</translation>
         </message>
         <message>
+            <source>{meaning} (ALARM:{number})</source>
+            <translation>{meaning} (ALARM:{number})</translation>
+        </message>
+        <message>
             <source>{meaning} (error:{error})</source>
             <translation>{meaning} (error:{error})</translation>
         </message>
@@ -29831,6 +30367,22 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
             <translation>{one} corta uma peça que {other} já soltou: nada a segura</translation>
+        </message>
+        <message>
+            <source>{option} and {other} would write the same file</source>
+            <translation>{option} e {other} escreveriam o mesmo arquivo</translation>
+        </message>
+        <message>
+            <source>{option} would replace a file of another kind, or of somebody else's</source>
+            <translation>{option} substituiria um arquivo de outro tipo, ou de outra pessoa</translation>
+        </message>
+        <message>
+            <source>{option} would replace a file that exists already</source>
+            <translation>{option} substituiria um arquivo que já existe</translation>
+        </message>
+        <message>
+            <source>{option} would write over {what}</source>
+            <translation>{option} escreveria sobre {what}</translation>
         </message>
         <message>
             <source>{owner} by way of a place cannot be turned</source>

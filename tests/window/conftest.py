@@ -17,8 +17,8 @@ if INSIDE:
     import pytest
 
     from CNCStepper.workbench.calculation import kernel_warmup
-    from window_helpers import window_kinds
-    from window_helpers.hand import Hand
+    from window_helpers import touches, window_kinds
+    from window_helpers.hand import PICTURES, Hand
 
     KERNELS_S = 540  # so long may the kernels take to be compiled, on a busy machine
 
@@ -34,7 +34,7 @@ if INSIDE:
         items.sort(key=lambda item: item.path.name != "test_start_cost.py")
 
     @pytest.fixture(scope="session")
-    def the_hand() -> Hand:
+    def the_hand() -> Iterator[Hand]:
         """The one hand of this window, when FreeCAD has opened the workbench and no kernel is being compiled."""
         hand = Hand(*FreeCAD.__cncstepper_window__)
         if window_kinds.AUTOLOAD not in os.environ:
@@ -44,7 +44,8 @@ if INSIDE:
         ours = [line.text for line in hand.report() if line.bad and "CNCStepper" in line.text]
         assert not ours, f"FreeCAD's start has put into the report view: {ours}"
         Path(os.environ["CNCSTEPPER_WINDOW_STATUS"]).with_name(window_kinds.READY).touch()
-        return hand
+        yield hand
+        hand.main(hand.touches.save, PICTURES / touches.FILE)
 
     @pytest.fixture
     def hand(the_hand: Hand) -> Hand:

@@ -325,6 +325,7 @@ def test_new_job_makes_a_document_and_is_one_undo_step(hand: Hand) -> None:
     hand.wait(lambda: not FreeCADGui.Control.activeDialog())
     assert hand.main(lambda: [obj.Label for obj in document.Objects]) == ["Job", "Preview", "T1 flat end mill 6 mm"]
     assert hand.main(lambda: list(document.UndoNames)) == ["New job"]
+    assert NEW_JOB in hand.touches.touched and "CNCStepper_Panel_stock_fit" in hand.touches.seen
     hand.undo()
     hand.wait(lambda: not document.Objects)
 

@@ -264,6 +264,8 @@ def test_stop_ends_the_job_and_says_how_it_stands(hand: Hand, dock: Any) -> None
     hand.click(f"{D}Stop")
     hand.wait(lambda: "Stopped" in hand.text(f"{D}FlowTitle"), 20)
     assert "position is kept" in hand.text(f"{D}FlowDetail")
+    says(hand, "Idle")
+    the_outline_is_run(hand, dock)
 
 
 def test_a_refusal_stops_before_the_machine(hand: Hand, dock: Any) -> None:
@@ -392,7 +394,6 @@ def test_a_job_is_proven_for_the_zero_that_the_machine_has(
     hand.wait(lambda: "Refused" in hand.text(f"{D}FlowTitle"), 60, "the refusal of a zero too near to the edge")
     hand.click(f"{D}Cancel")
     zero_at(hand, dock, -100.0, 0.0, 0.0)
-    the_outline_is_run(hand, dock)
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the proof")
     hand.click(f"{D}Start")
@@ -402,7 +403,11 @@ def test_a_job_is_proven_for_the_zero_that_the_machine_has(
 
 
 def the_outline_is_run(hand: Hand, dock: Any) -> None:
-    """Run the outline by its button, as any program: checked, asked for the zero, sent; it cuts nothing."""
+    """Run the outline by its button, as any program: checked, asked for the zero, sent; it cuts nothing.
+
+    No homing is needed where the work zero was set, as for the job itself.
+    """
+    assert not hand.main(lambda: dock.link.start)
     hand.click(f"{D}Outline")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), 60, "the proof")
     assert dock.sending.flow.label == "Pocket job, outline"

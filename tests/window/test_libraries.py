@@ -73,6 +73,7 @@ def test_a_tool_is_typed_saved_searched_and_put_into_the_job(hand: Hand, library
     assert [(each.number, each.tool.diameter_mm) for each in library_tools() if each.tool] == [(1, 3.175), (2, 3.175)]
     hand.fill(f"{L}_tools_search", "cutter 2")
     hand.wait(lambda: page.model.rowCount() == 1, 5, "the row that was found")
+    assert {f"{L}_tools_{name}" for name in ("add", "search", "table")} <= hand.touches.touched
     hand.main(page.table.selectRow, 0)
     hand.click(f"{L}_tools_to_job")
     job = FreeCAD.getDocument("Library").Objects[0]

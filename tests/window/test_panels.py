@@ -19,17 +19,20 @@ import pytest
 from FreeCAD import Vector
 from PySide import QtCore, QtGui
 
+from CNCStepper.machine.libraries.operation_presets import presets_of
 from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.commands.create_object import create
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import problem_of, proxy_type, value_of
 from CNCStepper.workbench.features.operation import Operation
+from CNCStepper.workbench.panels.operations.preset_row import fitting, preset_entries
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
 DEPTH, STEPOVER, TIME, OK, CANCEL = (
     f"CNCStepper_Panel_{name}" for name in ("depth_mm", "stepover_mm", "time", "ok", "cancel")
 )
+PRESET, STEPDOWN = "CNCStepper_Panel_preset", "CNCStepper_Panel_stepdown_mm"
 NEVER_A_NUMBER = ["", "abc", "nan", "inf", "mm", "-", "("]  # nor is any of their beginnings
 NO_NUMBERS = [*NEVER_A_NUMBER, "1.234,5", "1,2,3", "5 kg", "1e400", "1/0"]
 NOT_POSITIVE = ["0", "-1", "-0,5 mm"]
@@ -357,6 +360,41 @@ def _rows(name: str) -> list[Any]:
 
 def hand_box(name: str) -> Any:
     return FreeCADGui.getMainWindow().findChild(QtGui.QWidget, name)
+
+
+def test_a_preset_is_saved_and_chosen_in_another_operation(hand: Hand, bench: Bench) -> None:
+    other = hand.main(api.add_elliptical_pocket, bench.job)
+    hand.main(lambda: (bench.document.recompute(), bench.document.clearUndos()))
+    bench.open(bench.pocket)
+    hand.fill(STEPDOWN, "0.7 mm")
+    hand.fill(DEPTH, "3 mm")
+    assert not hand.main(hand.find(f"{PRESET}_save").isEnabled)
+    hand.fill(PRESET, "Oak")
+    hand.click(f"{PRESET}_save")
+    hand.wait(lambda: "Oak" in presets_of(bench.pocket.Proxy.CYCLE), CUT_S, "the preset")
+    hand.shot("preset-saved")
+    hand.click(OK)
+    hand.wait(bench.closed, CUT_S, "the panel to close")
+    bench.open(other)
+    hand.click(PRESET, at=hand.main(arrow_of, hand.find(PRESET)))
+    hand.item(hand.main(places.combo_list, PRESET), "Oak")
+    hand.wait(lambda: (other.Stepdown.Value, other.Depth.Value) == pytest.approx((0.7, 3)), CUT_S, "its values")
+    assert hand.text(STEPDOWN).startswith("0.7") and other.Tool == bench.tool
+    by_hand = {"stepdown_mm": "deep", "depth_mm": True, "stepover_mm": float("inf"), "not_known": 3}
+    assert hand.main(lambda: fitting(preset_entries(other), {**by_hand, "stepover_mm": 2})) == {"stepover_mm": 2}
+    assert hand.main(lambda: fitting(preset_entries(other), by_hand)) == {}
+    hand.click(f"{PRESET}_delete")
+    hand.wait(lambda: not presets_of(bench.pocket.Proxy.CYCLE), 5, "the preset to go")
+    assert hand.text(PRESET) == "" and not hand.main(hand.find(f"{PRESET}_delete").isEnabled)
+    hand.click(OK)
+    hand.wait(bench.closed, CUT_S, "the panel to close")
+    hand.undo()
+    hand.wait(lambda: other.Stepdown.Value != pytest.approx(0.7), 5, "the undo")
+
+
+def arrow_of(combo: Any) -> tuple[float, float]:
+    """Return the place of the arrow of a list that can be typed into."""
+    return combo.width() - 10, combo.height() / 2
 
 
 def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:

@@ -21,6 +21,7 @@ from PySide import QtGui
 from window_helpers import report_view, x_input
 from window_helpers import screen_places as places
 from window_helpers.interface import Interface, Keeper, Watchdog, interface_stack
+from window_helpers.touches import Touches
 
 PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
 APPEARS_S = 5.0  # so long may a window or an entry take to appear
@@ -58,6 +59,7 @@ class Hand:
         self._interface, self._keeper = interface, keeper
         server = x_input.connect()
         self.mouse, self.keyboard = x_input.Mouse(server), x_input.Keyboard(server)
+        self.touches = Touches()
         self._allowed: list[str] = []
         self._clicked: tuple[Point, float] = ((-1.0, -1.0), 0.0)  # the last place, and when
 
@@ -184,6 +186,7 @@ class Hand:
         self.mouse.move(*place)
         self.settle()
         self._let_a_double_click_pass(place)
+        self.main(self.touches.note_click, *place)
         for key in modifiers:
             self.keyboard.down(key)
         for _ in range(2 if double else 1):
@@ -356,6 +359,7 @@ class Hand:
         Qt forgets that Shift is held when it hears of a new key: all keys are there before the first is pressed.
         """
         self.wait(places.has_keyboard, APPEARS_S, "the keyboard's focus")
+        self.main(self.touches.note_typing)
         self.keyboard.learn(text)
         self.settle()
         for letter in text:
@@ -379,6 +383,7 @@ class Hand:
     def shortcut(self, command: str, keys: str) -> None:
         """Press a command's keys as soon as FreeCAD lets it work: it looks only every few hundred milliseconds."""
         self.wait(lambda: FreeCADGui.Command.get(command).getAction()[0].isEnabled(), APPEARS_S, f"{command} to work")
+        self.touches.note_command(command)
         self.key(keys)
 
     def fill(self, target: Target, text: str) -> None:

@@ -32,7 +32,7 @@ def _plain(text: str) -> str:
     return text.replace("&", "").rstrip(".…").strip()
 
 
-def _widgets() -> list[Any]:
+def all_widgets() -> list[Any]:
     """Return all widgets; PySide2 may still hand out one that Qt has deleted."""
     return [widget for widget in QtGui.QApplication.allWidgets() if isValid(widget)]
 
@@ -40,22 +40,22 @@ def _widgets() -> list[Any]:
 def visible(name: str) -> list[Any]:
     """Return the visible widgets with this objectName, or a panel's OK or Cancel, which are FreeCAD's and nameless."""
     if name in PANEL_BUTTONS:
-        buttons = [w for w in _widgets() if isinstance(w, QtGui.QPushButton) and w.isVisible()]
+        buttons = [w for w in all_widgets() if isinstance(w, QtGui.QPushButton) and w.isVisible()]
         return [w for w in buttons if _plain(w.text()) == PANEL_BUTTONS[name]]
-    return [w for w in _widgets() if w.objectName() == name and w.isVisible()]
+    return [w for w in all_widgets() if w.objectName() == name and w.isVisible()]
 
 
 def find(target: Any) -> Any:
     """Return the widget itself, or the one with this objectName."""
     if not isinstance(target, str):
         return target
-    found = visible(target) or [w for w in _widgets() if w.objectName() == target]
+    found = visible(target) or [w for w in all_widgets() if w.objectName() == target]
     assert found, f"no widget is named {target}; there are {_our_names()}"
     return found[0]
 
 
 def _our_names() -> list[str]:
-    return sorted({w.objectName() for w in _widgets() if w.objectName().startswith("CNC")})
+    return sorted({w.objectName() for w in all_widgets() if w.objectName().startswith("CNC")})
 
 
 class Pressed(QtCore.QObject):
@@ -131,7 +131,7 @@ def _middle(widget: Any) -> Any:
 
 def scroll_to(widget: Any) -> None:
     """Scroll to a widget, without asking for its parents: PySide2 keeps what it was asked for that Qt has deleted."""
-    for area in [w for w in _widgets() if isinstance(w, QtGui.QScrollArea)]:
+    for area in [w for w in all_widgets() if isinstance(w, QtGui.QScrollArea)]:
         if area.isVisible() and area.isAncestorOf(widget):
             area.ensureWidgetVisible(widget)
 
@@ -298,7 +298,7 @@ def at_rest() -> Point:
 
 def hide_our_windows() -> None:
     """Hide the workbench's docks, which make the 3D view narrower, and its dialogs, which lie over docks and panels."""
-    for window in _widgets():
+    for window in all_widgets():
         if isinstance(window, (QtGui.QDockWidget, QtGui.QDialog)) and window.objectName().startswith("CNCStepper_"):
             window.hide()
 

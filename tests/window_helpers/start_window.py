@@ -23,7 +23,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.append(str(HERE.parent))
-from window_helpers import window_kinds  # noqa: E402
+from window_helpers import touches, window_kinds  # noqa: E402
 
 MARK = "CNCSTEPPER_WINDOW_RUN"
 READY_S = 600.0  # so long may FreeCAD take to open our workbench and to compile the kernels
@@ -179,9 +179,14 @@ def end_all(mark: str) -> None:
             continue
 
 
+def pictures_of(version: str, kind: str) -> Path:
+    """Return the folder for the pictures of a run and for what its tests touched."""
+    return touches.PICTURES / (version if kind == "plain" else f"{version}-{kind}")
+
+
 def run(version: str, kind: str, arguments: Sequence[str], environment: Mapping[str, str]) -> int:
     """Run pytest with these arguments in a FreeCAD's window of that kind; return 0 when all is well."""
-    pictures = ROOT / "build" / "window" / (version if kind == "plain" else f"{version}-{kind}")
+    pictures = pictures_of(version, kind)
     pictures.mkdir(parents=True, exist_ok=True)
     mark = uuid.uuid4().hex
     environment = {window_kinds.VARIABLE: kind, **window_kinds.KINDS[kind], **environment}
@@ -258,6 +263,7 @@ if __name__ == "__main__":
     kind = words.pop(0) if words and words[0] in window_kinds.KINDS else "plain"
     if not any(Path(word.partition("::")[0]).exists() for word in words):
         words.append(str(ROOT / "tests" / "window"))
+        (pictures_of(version, kind) / touches.FILE).unlink(missing_ok=True)
     begun_s = time.monotonic()
     status = run(version, kind, words, {})
     print_times(begun_s)

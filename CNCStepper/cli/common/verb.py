@@ -18,7 +18,7 @@ import click
 
 from CNCStepper.cli.common.option_hints import add_conversion, add_option_hint
 from CNCStepper.cli.common.path_types import InputFolder, InputPath, OutputPath, as_typed
-from CNCStepper.errors import CNCStepperError, ProgramError
+from CNCStepper.errors import CNCStepperError, ProgramError, Text
 from CNCStepper.output_files import Input, Output, check_outputs
 
 OVERWRITE = "CNCStepper.overwrite"  # in a context's meta
@@ -104,22 +104,24 @@ def _inputs(outputs: Sequence[Output], context: click.Context) -> Iterator[Input
         else:
             continue
         what = _spelled(param)
-        yield Input(file, _read_words(param, what))
+        yield Input(file, _as_read(param, what))
         for named in files_named(file):
-            yield Input(named, f"a file that {what.lower()} names")
+            yield Input(named, Text("a file that {what} names", what=what.lower()))
         if param.name == "program":
             programs.append(file)
     if any(output.path.suffix.lower() in SUBROUTINES and output.path.exists() for output in outputs):
         for program in programs:
             for file in _called(program, folders):
-                yield Input(file, "a subroutine that is called")
+                yield Input(file, Text("a subroutine that is called"))
 
 
-def _read_words(param: click.Parameter, what: str) -> str:
+def _as_read(param: click.Parameter, what: str) -> Text:
     """Return how a sentence names a file of an option or an argument, which may take several."""
     if what.startswith("--"):
-        return f"{what}, which is read"
-    return f"one of {what.lower()} that are read" if param.nargs == -1 else f"{what.lower()} that is read"
+        return Text("{what}, which is read", what=what)
+    if param.nargs == -1:
+        return Text("one of {what} that are read", what=what.lower())
+    return Text("{what} that is read", what=what.lower())
 
 
 def files_named(file: Path) -> list[Path]:

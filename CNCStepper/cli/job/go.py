@@ -10,7 +10,7 @@ import click
 from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.running_job import follow, session_file, session_option
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 if TYPE_CHECKING:
     from CNCStepper.control.service.connection_session import ConnectionSession
@@ -52,7 +52,7 @@ def _check(status: SenderStatus, from_pause: bool) -> None:
         raise MachineRefusal("not-held", "the job is not held", value=status.phase, advice="there is nothing to do")
     if status.phase == Phase.PAUSED and not from_pause:
         advice = "see to that, then `cncstepper go --pause`"
-        raise MachineRefusal("program-pause", f"the program pauses: {why(status)}", advice=advice)
+        raise MachineRefusal("program-pause", Text("the program pauses: {why}", why=why(status)), advice=advice)
     if status.phase == "door" and status.machine_state != "Door:0":
         raise MachineRefusal(
             "door-open", "the safety door is open", value=status.machine_state, advice="close it first"

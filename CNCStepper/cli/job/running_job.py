@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 
 if TYPE_CHECKING:
     from CNCStepper.control.service.connection_session import ConnectionSession
@@ -34,7 +34,9 @@ def session_file(name: str | None) -> Path:
     if not running:
         raise _none_runs(name)
     names = ", ".join(path.stem for path in running)
-    raise JobError("session-which", f"{len(running)} jobs run", value=names, advice="choose one with --session")
+    raise JobError(
+        "session-which", Text("{count} jobs run", count=len(running)), value=names, advice="choose one with --session"
+    )
 
 
 def _none_runs(name: str | None) -> JobError:
@@ -42,7 +44,7 @@ def _none_runs(name: str | None) -> JobError:
     from CNCStepper.control.session.files import closed_files
     from CNCStepper.control.session.unreachable import closed
 
-    what = f"no job '{name}' runs" if name else "no job runs"
+    what = Text("no job '{name}' runs", name=name) if name else "no job runs"
     others = [closed(path).sentence for path in closed_files() if name in (None, path.stem)]
     return JobError("session-none", what, advice="; ".join(["start one with cncstepper send", *others]))
 

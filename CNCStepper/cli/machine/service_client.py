@@ -20,7 +20,7 @@ import click
 from CNCStepper.cli.common.keep_open import keep_option, tell_kept
 from CNCStepper.cli.common.options import Named
 from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
-from CNCStepper.errors import CNCStepperError, MachineRefusal
+from CNCStepper.errors import CNCStepperError, MachineRefusal, Text
 from CNCStepper.machine.controller_family import BAUD
 
 if TYPE_CHECKING:
@@ -182,7 +182,7 @@ class ServiceClient:
 
         self.client.home()
         if self.until(over)["text"] != HOMED:
-            what = f"the machine is not homed: {self.status.message or self.status.machine_state}"
+            what = Text("the machine is not homed: {state}", state=self.status.message or self.status.machine_state)
             raise MachineRefusal("not-homed", what, advice="see that the way to the switches is free, then home again")
 
     def set_zero(self, axes: str) -> None:

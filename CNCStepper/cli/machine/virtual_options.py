@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath
 from CNCStepper.cli.common.path_types import InputPath, OutputPath
 from CNCStepper.errors import Text
@@ -109,7 +110,7 @@ def hand_at(machine: Pressable, press: Path | None, typed: bool) -> Callable[[],
     from CNCStepper.cli.common.terminal_input import TerminalInput
     from CNCStepper.virtual.server.pin_presses import PinPresses
 
-    hand = PinPresses(machine, tell=click.echo)
+    hand = PinPresses(machine, tell=show_text)
     if press:
         hand.plan(press)
     if not typed:

@@ -176,7 +176,11 @@ def _asked(held: HeldProgram, word: str, number: str) -> Place:
     except ValueError:
         length_mm = math.nan
     if not length_mm > 0 or (word in "bl" and length_mm == math.inf):
-        raise JobError("answer", f"'{word} {number}' says no length or line", advice="write for example: b 5")
+        raise JobError(
+            "answer",
+            Text("'{word} {number}' says no length or line", word=word, number=number),
+            advice="write for example: b 5",
+        )
     if word == "l":
         return _target(held, None, int(length_mm), False, None)
     return _target(held, length_mm if word == "b" else None, None, word == "e", length_mm if word == "f" else None)

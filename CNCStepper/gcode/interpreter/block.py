@@ -76,7 +76,9 @@ class Block(CanonicalBlock, ABC):
         value = self.value(letter)
         if value != int(value) or not least <= value <= most:
             what = Text("{letter} must be a whole number", letter=letter)
-            raise ProgramError(code, what, value=letter, limit=f"{least} to {most}", advice=f"correct {letter}")
+            raise ProgramError(
+                code, what, value=letter, limit=f"{least} to {most}", advice=Text("correct {letter}", letter=letter)
+            )
         return int(value)
 
     def not_negative(self, letter: str) -> float:
@@ -87,7 +89,7 @@ class Block(CanonicalBlock, ABC):
                 "bad-value",
                 Text("{letter} may not be negative", letter=letter),
                 value=letter,
-                advice=f"correct {letter}",
+                advice=Text("correct {letter}", letter=letter),
             )
         return value
 
@@ -105,7 +107,9 @@ class Block(CanonicalBlock, ABC):
         value = self.value(letter)
         if not least <= value <= most:
             what, limit = Text("{letter} is out of range", letter=letter), f"{least:g} to {most:g}"
-            raise ProgramError("bad-value", what, value=letter, limit=limit, advice=f"correct {letter}")
+            raise ProgramError(
+                "bad-value", what, value=letter, limit=limit, advice=Text("correct {letter}", letter=letter)
+            )
         return value
 
     def must_have(self, letter: str, name: str) -> None:
@@ -115,7 +119,7 @@ class Block(CanonicalBlock, ABC):
                 "missing-word",
                 Text("{name} needs a {letter} word", name=name, letter=letter),
                 value=name,
-                advice=f"add {letter}",
+                advice=Text("add {letter}", letter=letter),
             )
 
     def axis_words(self) -> dict[int, float]:

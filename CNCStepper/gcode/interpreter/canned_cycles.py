@@ -267,7 +267,7 @@ def _own(block: Block, name: str, sticky: Run | None) -> float:
             name=name,
             word="above" if letter == "Q" else "at least",
         )
-        raise ProgramError("bad-value", what, value=letter, advice=f"correct {letter}")
+        raise ProgramError("bad-value", what, value=letter, advice=Text("correct {letter}", letter=letter))
     return own
 
 
@@ -277,7 +277,7 @@ def _word(block: Block, letter: str, sticky: float | None, name: str) -> float:
         return block.value(letter)
     if sticky is None:
         what = Text("{name} needs a {letter} word: none is in force", name=name, letter=letter)
-        raise ProgramError("missing-word", what, value=name, advice=f"add {letter}")
+        raise ProgramError("missing-word", what, value=name, advice=Text("add {letter}", letter=letter))
     return sticky
 
 

@@ -167,7 +167,7 @@ def _check_words(block: Block) -> None:
     wrong = "I" if i == 0 else "J" if j <= 0 else "K" if k <= j else ""
     if wrong:
         what = {"I": "I of G76 may not be 0", "J": "J of G76 must be above 0", "K": "K of G76 must be above J"}[wrong]
-        raise ProgramError("bad-value", what, value=wrong, advice=f"correct {wrong}")
+        raise ProgramError("bad-value", what, value=wrong, advice=Text("correct {letter}", letter=wrong))
 
 
 def _pass(block: Block, words: Thread, depth: float) -> None:

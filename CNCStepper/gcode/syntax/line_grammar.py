@@ -179,7 +179,12 @@ class Grammar:
     def _unknown(self, name: str) -> Code:
         """Say why a code is refused."""
         if name in FLOW and name not in self.dialect.refused:
-            raise ProgramError("not-supported", f"{name} {FLOW[name]}", value=name, advice="expand it into plain moves")
+            raise ProgramError(
+                "not-supported",
+                Text("{name} {what}", name=name, what=FLOW[name]),
+                value=name,
+                advice="expand it into plain moves",
+            )
         what = Text("{dialect} does not accept {name}", dialect=self.dialect.title, name=name)
         raise self._refused(name, what, "refused-code" if name in RS274 else "unknown-code")
 

@@ -102,7 +102,9 @@ def _parameters(text: str) -> dict[str, str]:
         key, equals, value = part.strip().partition("=")
         if not equals or (key not in PARAMETERS and key not in ("o", "nu", "na")):
             raise _bad(
-                "not a parameter of a material's comment", part.strip(), f"use o, nu, na, {', '.join(PARAMETERS)}"
+                "not a parameter of a material's comment",
+                part.strip(),
+                Text("use o, nu, na, {parameters}", parameters=", ".join(PARAMETERS)),
             )
         if key in given:
             raise _bad(Text("{key}= is twice in a material's comment", key=key), part.strip(), "take one out")
@@ -112,7 +114,11 @@ def _parameters(text: str) -> dict[str, str]:
 
 def _whole(text: str, key: str, least: int, most: int) -> int:
     if not text.isdigit() or len(text) > 9 or not least <= int(text) <= most:
-        raise _bad(Text("{key}= of a material has no such value", key=key), text, f"write {least} to {most}")
+        raise _bad(
+            Text("{key}= of a material has no such value", key=key),
+            text,
+            Text("write {least} to {most}", least=least, most=most),
+        )
     return int(text)
 
 

@@ -92,7 +92,7 @@ class Switches:
             return True
         if name not in systems:
             what = Text("{dialect} has no work offset {name}", dialect=self.dialect.title, name=name)
-            advice = f"use {', '.join(systems)}" if systems else "use one work offset"
+            advice = Text("use {ways}", ways=", ".join(systems)) if systems else "use one work offset"
             raise ProgramError("work-system", what, value=name, advice=advice)
         self.work_system = name
         self.page.line(name)

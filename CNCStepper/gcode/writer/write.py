@@ -71,7 +71,7 @@ def written(
         what = Text(
             "{named} cannot change tools by '{tool_change}'", named=named.title, tool_change=options.tool_change
         )
-        raise ProgramError("tool-change", what, advice=f"use {' or '.join(named.writing.tool_change)}")
+        raise ProgramError("tool-change", what, advice=Text("use {ways}", ways=" or ".join(named.writing.tool_change)))
     writer = _Writer(toolpath, named, options, progress)
     text = writer.program(0, len(toolpath))
     return Written(text, tuple(writer.page.notes))
@@ -136,7 +136,7 @@ class _Writer:
             raise ProgramError("dialect", what, advice="write for grbl or linuxcnc")
         if options.units not in writing.units:
             what = Text("{dialect} has no programs in {units}", dialect=dialect.title, units=options.units)
-            raise ProgramError("units", what, advice=f"use {' or '.join(writing.units)}")
+            raise ProgramError("units", what, advice=Text("use {units}", units=" or ".join(writing.units)))
         self.path = toolpath
         self.options = options
         self._progress = progress

@@ -51,7 +51,7 @@ def refusal_of(model: type[BaseModel], error: ValidationError, file: str) -> Job
         what = Text("the key {name} is missing", name=name)
         what = Text("{problem} in {table}", problem=what, table=table) if table else what
         words = _words(owner.model_fields[name]) if name in owner.model_fields else "a value"
-        return JobError("bad-value", what, advice=f"add {name} = {words}", place=place)
+        return JobError("bad-value", what, advice=Text("add {name} = {words}", name=name, words=words), place=place)
     if first["type"] == ERROR_TYPE:
         return _out_of_bounds(key, first, place)
     if first["type"] == "too_long":

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 from CNCStepper.kernels import njit
 from CNCStepper.machine.wiring import CONTROL_PINS, DATA_PINS, DEVICES, ENABLE, INVERTED_PINS, Signals
 from CNCStepper.motion.signals.pulse_stream import PulseStream
@@ -68,8 +68,8 @@ def require_pin(signals: Signals, name: str) -> None:
     if name not in signals.wired:
         raise MachineRefusal(
             "no-pin",
-            f"the signal {name} is on no pin of the parallel port",
-            advice=f"say it in the machine's profile: [signals] pins = {{ {name} = 2, ... }}",
+            Text("the signal {name} is on no pin of the parallel port", name=name),
+            advice=Text("say it in the machine's profile: [signals] pins = {{ {name} = 2, ... }}", name=name),
         )
 
 

@@ -17,7 +17,7 @@ from typing import BinaryIO
 
 import numpy as np
 
-from CNCStepper.errors import Place, ProgramError
+from CNCStepper.errors import Place, ProgramError, Text
 from CNCStepper.machine.pulse_letters import MOVES
 from CNCStepper.motion.signals.device_switching import Switch
 from CNCStepper.motion.signals.pulse_stream import PULSE_ROWS, PulseChunk, PulseStream, check_axes, moved_steps
@@ -180,7 +180,7 @@ def _check(codes: np.ndarray, line: int, file: str) -> None:
     if not known.all():
         at = int(np.argmin(known))
         number = line + 1 + int(np.count_nonzero(codes[:at] == ord("\n")))
-        advice = f"there are A to Z for pulses and {' '.join(DEVICES)} for devices"
+        advice = Text("there are A to Z for pulses and {devices} for devices", devices=" ".join(DEVICES))
         raise ProgramError(
             "letter", "this is no pulse letter", value=repr(chr(codes[at])), advice=advice, place=Place(file, number)
         )

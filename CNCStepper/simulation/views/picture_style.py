@@ -23,7 +23,7 @@ from matplotlib.image import imsave
 from matplotlib.lines import Line2D
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.simulation.removal.heightmap import HeightMap
 from CNCStepper.simulation.views.depth_colours import MATERIAL, deepest_shown_mm
 from CNCStepper.simulation.views.path_lines import DrawnPath
@@ -190,6 +190,8 @@ def save_figure(figure: Figure, file: Path) -> None:
             figure.savefig(buffer, format="svg", dpi=DPI * FINER, metadata=about)
     else:
         raise JobError(
-            "picture-kind", f"'{file.name}' is no picture that can be drawn", advice="end it in .png or .svg"
+            "picture-kind",
+            Text("'{file}' is no picture that can be drawn", file=file.name),
+            advice="end it in .png or .svg",
         )
     write_whole(file, buffer.getvalue())

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.virtual.faults.plan import SERVER_KINDS, Fault, FaultPlan, read_plan
 
 KILL = getattr(signal, "SIGKILL", signal.SIGTERM)  # on Windows SIGTERM ends a process as hard
@@ -23,7 +23,11 @@ def plan_for_server(path: Path, kinds: Sequence[str] = SERVER_KINDS) -> FaultPla
         if fault.kind == "disk":
             raise _refusal(path, "the sender's disk cannot be filled from here", "take the fault 'disk' out")
         if fault.kind not in kinds:
-            raise _refusal(path, f"this machine has no fault '{fault.kind}'", f"there are {', '.join(kinds)}")
+            raise _refusal(
+                path,
+                Text("this machine has no fault '{kind}'", kind=fault.kind),
+                Text("there are {kinds}", kinds=", ".join(kinds)),
+            )
         if fault.kind == "kill" and not fault.pid_file:
             raise _refusal(path, "the fault 'kill' does not say whom", "add pid_file = a session file of the sender")
     return plan

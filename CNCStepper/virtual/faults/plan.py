@@ -17,7 +17,7 @@ from typing import Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.machine.profile import read_toml, validated
 
 Kind = Literal[
@@ -113,7 +113,9 @@ def read_plan(path: Path) -> FaultPlan:
     try:
         content = _json(path) if path.suffix.lower() == ".json" else read_toml(path)
     except OSError as error:
-        raise JobError("faults-file", f"it cannot be read: {error.strerror}", place=Place(str(path))) from error
+        raise JobError(
+            "faults-file", Text("it cannot be read: {error}", error=error.strerror), place=Place(str(path))
+        ) from error
     return validated(FaultPlan, content, str(path))
 
 
@@ -121,7 +123,7 @@ def _json(path: Path) -> dict[str, Any]:
     try:
         content = json.loads(path.read_text("utf-8-sig"))
     except ValueError as error:
-        raise JobError("json", f"not a JSON file: {error}", place=Place(str(path))) from error
+        raise JobError("json", Text("not a JSON file: {error}", error=error), place=Place(str(path))) from error
     if not isinstance(content, dict):
         raise JobError("json", "not an object of keys and values", place=Place(str(path)))
     return content

@@ -8,7 +8,7 @@ D is a pin of its own only in a firmware built for it; it is here, so that a doo
 
 from __future__ import annotations
 
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 PROBE, LIMITS, DOOR = "P", "XYZ", "D"
 PINS = f"{PROBE}{LIMITS}{DOOR}RHS"  # in the order of `Pn:`
@@ -24,7 +24,11 @@ class InputPins:
     def press(self, pin: str) -> bool:
         """Hold a pin on; return whether it was off. Raises MachineRefusal where there is none of that name."""
         if pin not in tuple(PINS):
-            raise MachineRefusal("no-pin", f"there is no pin '{pin[:20]}'", advice=f"pins are {', '.join(PINS)}")
+            raise MachineRefusal(
+                "no-pin",
+                Text("there is no pin '{pin}'", pin=pin[:20]),
+                advice=Text("pins are {pins}", pins=", ".join(PINS)),
+            )
         was_off = pin not in self.held
         self.held.add(pin)
         return was_off

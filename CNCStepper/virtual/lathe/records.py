@@ -156,7 +156,7 @@ def _words(text: str) -> dict[str, str]:
             raise _refused(text, "it cannot be read")
         letter, number = word[1], word[2]
         if letter not in "NGMXZF" or (letter in words and letter != "G"):
-            raise _refused(text, f"the word {letter} is not for here")
+            raise _refused(text, Text("the word {letter} is not for here", letter=letter))
         words[letter] = f"{words['G']} {number}" if letter == "G" and "G" in words else number
         at = word.end()
         while at < len(text) and text[at] in " \r\n\t":

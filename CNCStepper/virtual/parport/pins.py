@@ -14,7 +14,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from CNCStepper.errors import MachineRefusal
+from CNCStepper.errors import MachineRefusal, Text
 
 OUTPUT_BITS = {2: 0, 3: 1, 4: 2, 5: 3, 6: 4, 7: 5, 8: 6, 9: 7, 1: 8, 14: 9, 16: 10, 17: 11}  # of control * 256 + data
 TURNED_OUTPUTS = (1, 14, 17)
@@ -71,7 +71,11 @@ class InputPins:
     def set(self, name: str, pressed: bool) -> None:
         """Press a switch or let it go; raises MachineRefusal where the pin is no input."""
         if name not in self.pin_names:
-            raise MachineRefusal("no-pin", f"there is no input '{name[:20]}'", advice=f"pins: {self.text(all_of=True)}")
+            raise MachineRefusal(
+                "no-pin",
+                Text("there is no input '{name}'", name=name[:20]),
+                advice=Text("pins: {pins}", pins=self.text(all_of=True)),
+            )
         (self._pressed.add if pressed else self._pressed.discard)(int(name))
 
     def text(self, all_of: bool = False) -> str:

@@ -7,7 +7,7 @@ from io import TextIOWrapper
 from pathlib import Path
 
 from CNCStepper.atomic_file import open_live
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 from CNCStepper.virtual.grbl.machine import Grbl
 
 HEADER = "t_s,x_mm,y_mm,z_mm\n"
@@ -26,7 +26,9 @@ class Trace:
             self._file = TextIOWrapper(open_live(Path(path)), encoding="ascii", newline="")
         except OSError as error:
             raise LinkError(
-                "trace-file", f"the trace '{path}' cannot be written: {error.strerror}", advice="give another path"
+                "trace-file",
+                Text("the trace '{path}' cannot be written: {error}", path=path, error=error.strerror),
+                advice="give another path",
             ) from error
         self._file.write(HEADER)
         self._time_s = board.time_s

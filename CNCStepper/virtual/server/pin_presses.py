@@ -15,7 +15,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Protocol
 
-from CNCStepper.errors import JobError, Place
+from CNCStepper.errors import JobError, Place, Text
 
 TAP_S = 0.3
 LONGEST_S = 1e6
@@ -59,13 +59,13 @@ class PinPresses:
         *verb, pin = line.upper().split() or [""]
         names = self._board.pin_names
         if pin not in names or verb not in ([], ["PRESS"], ["RELEASE"]):
-            shown = f"type {names[0]}, press {names[0]} or release {names[0]}; pins are {', '.join(names)}"
-            self._tell(f"'{line[:40]}' is no press: {shown}")
+            what = "'{line}' is no press: type {name}, press {name} or release {name}; pins are {names}"
+            self._tell(Text(what, line=line[:40], name=names[0], names=", ".join(names)))
             return
         (self._board.release if verb == ["RELEASE"] else self._board.press)(pin)
         if not verb:
             heapq.heappush(self._due, (self._board.time_s + TAP_S, False, pin))
-        self._tell(f"pins that are on: {self._board.pins() or 'none'}")
+        self._tell(Text("pins that are on: {pins}", pins=self._board.pins() or "none"))
 
     def turn(self) -> None:
         """Press and let go what is due."""
@@ -84,7 +84,7 @@ def _presses(path: Path, names: Sequence[str]) -> list[tuple[str, float, float]]
     try:
         content = tomllib.loads(path.read_text("utf-8-sig"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise JobError("toml", f"not a TOML file: {error}", place=place) from error
+        raise JobError("toml", Text("not a TOML file: {error}", error=error), place=place) from error
     if set(content) - {"press"} or not isinstance(content.get("press", []), list):
         raise JobError("press", "a timeline holds nothing but presses", advice=_advice(names), place=place)
     return [_read_press(entry, names, place) for entry in content.get("press", [])]
@@ -97,8 +97,9 @@ def _read_press(entry: Any, names: Sequence[str], place: Place) -> tuple[str, fl
     return str(entry["pin"]), _seconds(entry.get("at_s"), place), _seconds(entry.get("for_s", TAP_S), place)
 
 
-def _advice(names: Sequence[str]) -> str:
-    return f"write [[press]] with pin (one of {', '.join(names)}), at_s and, if not {TAP_S:g}, for_s"
+def _advice(names: Sequence[str]) -> Text:
+    what = "write [[press]] with pin (one of {names}), at_s and, if not {tap_s:g}, for_s"
+    return Text(what, names=", ".join(names), tap_s=TAP_S)
 
 
 def _seconds(value: Any, place: Place) -> float:

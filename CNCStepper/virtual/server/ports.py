@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 from typing import Protocol
 
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 
 PTY_POLL_S = 0.02  # a terminal that nobody has open cannot be waited for
 
@@ -51,7 +51,7 @@ class TcpPort:
         except (OSError, OverflowError) as error:
             raise LinkError(
                 "port-not-free",
-                f"the virtual machine cannot listen on {host}:{port}: {error}",
+                Text("the virtual machine cannot listen on {host}:{port}: {error}", host=host, port=port, error=error),
                 advice="choose another port, or 0 for any that is free",
             ) from error
         self._listener.setblocking(False)
@@ -182,7 +182,7 @@ class PtyPort:
             os.close(self._master)
             raise LinkError(
                 "pty-path",
-                f"no link can be made at '{self._path}': {error.strerror}",
+                Text("no link can be made at '{path}': {error}", path=self._path, error=error.strerror),
                 advice="give a path in a folder that exists, where nothing stands yet",
             ) from error
 
@@ -193,7 +193,7 @@ class PtyPort:
             os.close(self._master)
             raise LinkError(
                 "pty-busy",
-                f"'{self._path}' leads to a terminal that is in use",
+                Text("'{path}' leads to a terminal that is in use", path=self._path),
                 value=there,
                 advice="end the virtual machine that is there, or give another path; remove the link if it was killed",
             )

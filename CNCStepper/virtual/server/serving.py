@@ -9,7 +9,7 @@ import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 from CNCStepper.virtual.server.ports import Port, PtyPort, TcpPort
 
 LOOPBACK = ("127.0.0.1", "localhost", "")
@@ -35,12 +35,16 @@ def open_server_port(pty: str | Path | None, tcp: str | None) -> Port:
 def _tcp_port(address: str) -> TcpPort:
     host, _, port = address.rpartition(":")
     if not port.isdecimal() or int(port) > 65535:
-        raise LinkError("tcp-address", f"'{address}' is not an address", advice="write HOST:PORT, as 127.0.0.1:2300")
+        raise LinkError(
+            "tcp-address",
+            Text("'{address}' is not an address", address=address),
+            advice="write HOST:PORT, as 127.0.0.1:2300",
+        )
     if host not in LOOPBACK:
         raise LinkError(
             "tcp-address",
-            f"the virtual machine asks nobody for a password, so it does not listen on '{host}'",
-            advice=f"give one of: {', '.join(LOOPBACK[:2])}",
+            Text("the virtual machine asks nobody for a password, so it does not listen on '{host}'", host=host),
+            advice=Text("give one of: {addresses}", addresses=", ".join(LOOPBACK[:2])),
         )
     return TcpPort(host or "127.0.0.1", int(port))
 

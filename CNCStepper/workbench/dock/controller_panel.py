@@ -76,7 +76,7 @@ class Panel(KeyboardArea):
         self.state = StateView(lambda: self.recovery.go_on())
         self.flow = FlowView(self.findings, self.sending.confirm_step, self.sending.away)
         self.file_sending = FileSending(send, lambda: self.connection.profile)
-        self.outline = OutlineSending(send, self.link)
+        self.outline = OutlineSending(send)
         self.recovery = RestartOffer(self.link, send, self.state.show_way_on)
         self.position = PositionView(lengths, point, lambda axes: self.link.command("set_zero", axes))
         self._add_digits(BigDigits(self, lengths, point))

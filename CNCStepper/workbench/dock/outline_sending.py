@@ -10,7 +10,6 @@ from collections.abc import Callable
 from typing import Any
 
 from CNCStepper.errors import JobError
-from CNCStepper.workbench.dock.connection import Link
 from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, why_not_outline
 from CNCStepper.workbench.dock.model.unfinished_job import Reading
 from CNCStepper.workbench.dock.views import widgets
@@ -24,14 +23,14 @@ NAME = "outline"  # by which a job's outline is found again
 class OutlineSending:
     """The button and its action; `advance` is called after every poll of the link."""
 
-    def __init__(self, send: Sender, link: Link) -> None:
-        self._send, self._link = send, link
+    def __init__(self, send: Sender) -> None:
+        self._send = send
         self._reading = Reading()
         self.button = widgets.button("Outline", tr("Run the outline"), self._begin)
 
     def lock(self, moment: ControllerSnapshot) -> None:
-        """Enable the button while the machine is idle and the place of the work zero on the table is known."""
-        widgets.lock(self.button, why_not_outline(moment, self._link.start is not None), RULES["outline"].does)
+        """Enable the button while the machine is idle and its position is not known to be lost."""
+        widgets.lock(self.button, why_not_outline(moment), RULES["outline"].does)
 
     def advance(self) -> None:
         """Send the outline when it is written; raises what its program is refused for."""

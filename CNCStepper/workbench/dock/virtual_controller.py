@@ -15,7 +15,7 @@ from CNCStepper.control.service.position_trust_file import PositionTrustFile
 from CNCStepper.control.session.files import LOG, session_folder
 from CNCStepper.control.stream.position_trust import LOST
 from CNCStepper.dependencies import MACHINE, modules
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 
 NEEDS = (*PROOF, *modules(MACHINE))  # of it, and of the service that comes after it
 ADDRESS = re.compile(r"^virtual grbl at (\S+)\s*$", re.MULTILINE)
@@ -46,7 +46,7 @@ class VirtualMachine:
             )  # as of any machine that was just switched on
             return found[1]
         if self._process.poll() is not None:
-            raise LinkError("virtual-start", "the virtual grbl ended at once", advice=f"see {self._told}")
+            raise LinkError("virtual-start", "the virtual grbl ended at once", advice=Text("see {log}", log=self._told))
         return ""
 
     def give_up(self) -> None:

@@ -14,7 +14,7 @@ from CNCStepper.workbench.document import default_values
 from CNCStepper.workbench.document.clamps import outline_of
 from CNCStepper.workbench.features.base import edit, is_tool, problem_of, proxy_type
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, named_button, note_label
-from CNCStepper.workbench.panels.planned_times import PlannedTimes
+from CNCStepper.workbench.panels.operations.planned_times import PlannedTimes
 from CNCStepper.workbench.panels.tools.tool_words import tool_words
 from CNCStepper.workbench.services.icons import icon
 from CNCStepper.workbench.services.message_translation import translated

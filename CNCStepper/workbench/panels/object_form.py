@@ -38,7 +38,8 @@ from CNCStepper.workbench.panels.field_errors import (
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, Field, RemedyBar, note_label
 from CNCStepper.workbench.panels.form import Form
 from CNCStepper.workbench.panels.number_input import Refused
-from CNCStepper.workbench.panels.planned_times import PlannedTimes
+from CNCStepper.workbench.panels.operations.planned_times import PlannedTimes
+from CNCStepper.workbench.panels.operations.preset_row import PresetRow, preset_entries
 from CNCStepper.workbench.panels.unit_values import text_of
 from CNCStepper.workbench.services.findings_list import sentence
 from CNCStepper.workbench.services.jit_guard import LONG, WAITS
@@ -96,6 +97,7 @@ class Editor(QtGui.QWidget):
         for widget in (self.mends[part] if isinstance(part, str) else part for part in order):
             column.addWidget(widget)
         self._show_time()
+        self._show_presets()
         self._gone = gone = [False]  # FreeCAD may close the panel without OK or Cancel, as it does with a document
         self.destroyed.connect(lambda: gone.__setitem__(0, True))
         f1_key.attach(self, object_address(proxy_type(obj)))
@@ -114,6 +116,12 @@ class Editor(QtGui.QWidget):
         self.times = times = PlannedTimes(lambda: [self.obj], self)
         times.changed.connect(lambda: line.setText(planned_text(times.time_s(self.obj))))
         line.setText(planned_text(0.0))
+
+    def _show_presets(self) -> None:
+        """Give an operation the row of its presets."""
+        if isinstance(self.obj.Proxy, CycleOperation) and preset_entries(self.obj):
+            self.presets = PresetRow(self, self)
+            self.form.add_widget(OPERATION_GROUP, self.presets)
 
     def flush(self) -> bool:
         """Apply what was typed last; return whether all is good, else the keyboard is where it is not.

@@ -14,12 +14,13 @@ ROOT = Path(__file__).parents[3]
 
 
 tool = load("translations")
+PUT_TOGETHER = re.compile(r"\{\d+\}")  # as refusal_codes writes the values of an f-string
 PORTUGUESE = tool.read(tool.catalogue("_pt-BR"))
 
 
 @pytest.fixture(scope="module")
 def shown() -> dict:
-    """The texts of the whole source, with their places; to find them takes a second."""
+    """The texts of the whole source, with their places; to find them takes some seconds."""
     return tool.texts()
 
 
@@ -35,6 +36,15 @@ def test_the_catalogues_hold_what_the_source_shows(suffix: str, shown: dict) -> 
     missing = [f"{wanted[text]}: {text}" for text in sorted(set(wanted) - held)]
     assert missing == [], "run 'make translations', then translate what it brought in"
     assert sorted(held - set(wanted)) == [], "nothing shows these any more: run 'make translations'"
+
+
+@pytest.mark.slow
+def test_no_refusal_is_put_together_before_it_is_translated() -> None:
+    """Its template is what the catalogues hold."""
+    refusals = tool.beside("refusal_codes").refusals().values()
+    sayings = {part for refusal in refusals for saying in refusal.sayings for part in saying}
+    assert len(sayings) > 1500
+    assert [saying for saying in sayings if PUT_TOGETHER.search(saying)] == []
 
 
 def test_every_text_is_translated() -> None:

@@ -185,7 +185,11 @@ def alarm_refusal(alarm: Alarm, firmware: Firmware, why: str = "") -> MachineRef
     code = firmware.alarm(alarm.code)
     number = str(alarm.code) if alarm.code >= 0 else "?"
     meaning = why if why and firmware.key in OWN else code.meaning
-    return MachineRefusal(f"{firmware.key}-alarm-{number}", f"{meaning} (ALARM:{number})", advice=code.advice)
+    return MachineRefusal(
+        f"{firmware.key}-alarm-{number}",
+        Text("{meaning} (ALARM:{number})", meaning=meaning, number=number),
+        advice=code.advice,
+    )
 
 
 def restart_refusal(greeting: Greeting) -> MachineRefusal:
@@ -234,10 +238,10 @@ def _checked(driver: Grbl, received: Sequence[Received]) -> Sequence[Received]:
 
 
 def _not_grbl(driver: Grbl, timing: Timing, said: list[Received]) -> LinkError:
-    heard = "something else than grbl answers" if said else "nothing answers"
+    heard = "something else than grbl answers at {port}" if said else "nothing answers at {port}"
     return LinkError(
         "not-grbl",
-        f"{heard} at {driver.link.name}",
+        Text(heard, port=driver.link.name),
         value=f"{timing.wake_s:g} s",
         advice=_check_controller(driver.link, "check power, cable, port and baud rate of the controller"),
     )

@@ -58,7 +58,9 @@ def plasma_tool(block: Block, code: Code) -> None:
         raise ProgramError("spindle-number", "M3 starts one tool", value=SPINDLE, limit="0 to 2", advice="name it")
     if plasma.tool is not None and plasma.tool != number:
         what = Text("the tool ${tool} still runs", tool=plasma.tool)
-        raise ProgramError("spindle-number", what, value=code.name, advice=f"write M5 ${plasma.tool} before")
+        raise ProgramError(
+            "spindle-number", what, value=code.name, advice=Text("write M5 ${tool} before", tool=plasma.tool)
+        )
     block.model.plasma = replace(plasma, tool=number)
     block.model.change(spindle="off" if plasma.cut_off else "cw", spindle_number=number, spindle_rpm=state.spindle_rpm)
     block.call(START["cw"])

@@ -153,7 +153,10 @@ def _given_offset(block: Block) -> tuple[float, ...]:
             if axis in words:
                 letter = ALL_AXES[axis]
                 raise ProgramError(
-                    "unused-word", "a tool length lies along Z only", value=letter, advice=f"drop {letter}"
+                    "unused-word",
+                    "a tool length lies along Z only",
+                    value=letter,
+                    advice=Text("drop {letter}", letter=letter),
                 )
     return tuple(words.get(axis, old) for axis, old in enumerate(block.model.tool_offset))
 

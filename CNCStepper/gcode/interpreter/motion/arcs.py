@@ -134,7 +134,9 @@ def check_arc_words(plan: Plan, model: Model, dialect: Dialect) -> None:
     missing = next((letter for letter in centre if letter not in plan.slots), "")
     if missing and "R" not in plan.slots and model.state.arc_centres == "absolute":
         what = Text("{missing} is missing: absolute arc centres need both words", missing=missing)
-        raise ProgramError("arc-words", what, value=MOTION_NAMES[plan.motion], advice=f"add {missing}")
+        raise ProgramError(
+            "arc-words", what, value=MOTION_NAMES[plan.motion], advice=Text("add {letter}", letter=missing)
+        )
 
 
 def _check_radii(begin: Flat, end: Flat, centre: Flat, rule: ArcRule, word: str) -> float:

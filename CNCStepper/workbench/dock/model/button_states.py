@@ -80,7 +80,6 @@ FACES = {
     "busy": Face(later("Busy"), WAITING, later("The controller does something that was not asked for here.")),
 }
 LOST = later("The position of the table is unknown: home the machine, or set the work zero again.")
-PLACE_UNKNOWN = later("It is not known where the part lies on the table: home the machine, then set the work zero.")
 WITH_OWN_WORDS = ("paused", "alarm", "gone", "unreached", "held", "door")  # where a message says more than our sentence
 
 
@@ -216,15 +215,12 @@ def why_not(control: str, moment: ControllerSnapshot) -> str:
     return "" if stands or moment.phase in rule.phases else rule.why_not
 
 
-def why_not_outline(moment: ControllerSnapshot, place_known: bool) -> str:
+def why_not_outline(moment: ControllerSnapshot) -> str:
     """Return why the outline of a job cannot be run now, "" when it can.
 
-    place_known: whether the start state is known by which it is held against the machine's travel.
+    It can wherever a job can be sent: without homing the flow of sending asks a person for the work zero.
     """
-    why = why_not("outline", moment)
-    if not why and moment.position_known is False:
-        return LOST
-    return why or ("" if place_known else PLACE_UNKNOWN)
+    return why_not("outline", moment) or (LOST if moment.position_known is False else "")
 
 
 def why_not_axis(axis: str, moment: ControllerSnapshot) -> str:

@@ -15,7 +15,8 @@ import pytest
 from CNCStepper.cli.common import language
 from CNCStepper.cli.common.language import OF_LOCALE, OVERRIDE, in_language, look_up, translated
 from CNCStepper.cli.main import FAMILY_OF, group
-from CNCStepper.errors import ProgramError, Text
+from CNCStepper.errors import OutputError, ProgramError, Text
+from CNCStepper.output_files import Output, check_outputs
 from helpers.tools import load
 
 ROOT = Path(__file__).parents[4]
@@ -162,6 +163,15 @@ def test_windows_gives_the_language_of_its_interface(monkeypatch: pytest.MonkeyP
 def test_a_refusal_keeps_its_values_and_its_code(portuguese: None) -> None:
     error = ProgramError("tool-length", Text("{package} is not installed", package="numba"), value="3 mm")
     assert translated(error.text) == "numba não está instalado (valor 3 mm) [tool-length]"
+
+
+def test_refusals_of_files_are_portuguese_with_their_values(portuguese: None, tmp_path: Path) -> None:
+    file = tmp_path / "part.nc"
+    file.write_text("something of a person's own", "utf-8")
+    with pytest.raises(OutputError) as refused:
+        check_outputs([Output(file, "--out", "program")], [])
+    assert "--out substituiria um arquivo de outro tipo" in translated(refused.value.text)
+    assert translated(refused.value.advice) == "dê outro nome, ou --overwrite para substituí-lo"
 
 
 def test_the_commands_themselves_stay_as_they_are(portuguese: None) -> None:

@@ -13,7 +13,6 @@ from CNCStepper.workbench.dock.model.button_states import (
     LOST,
     NO_HOMING,
     NOT_CONNECTED,
-    PLACE_UNKNOWN,
     RULES,
     STANDING,
     ControllerSnapshot,
@@ -96,12 +95,13 @@ def test_a_machine_without_switches_cannot_home_and_says_so() -> None:
     assert why_not("home", ControllerSnapshot("running", homing=True)) == RULES["home"].why_not
 
 
-def test_the_outline_is_run_where_the_place_on_the_table_is_known() -> None:
-    assert why_not_outline(ControllerSnapshot("idle", position_known=True), place_known=True) == ""
-    assert why_not_outline(ControllerSnapshot("idle", position_known=True), place_known=False) == PLACE_UNKNOWN
-    assert why_not_outline(ControllerSnapshot("idle", position_known=False), place_known=True) == LOST
-    assert why_not_outline(ControllerSnapshot("running"), place_known=True) == RULES["outline"].why_not
-    assert why_not_outline(ControllerSnapshot(), place_known=False) == NOT_CONNECTED
+def test_the_outline_is_run_wherever_a_job_can_be_sent() -> None:
+    assert why_not_outline(ControllerSnapshot("idle", position_known=True)) == ""
+    not_homed = ControllerSnapshot("idle", position_known=None)  # by nobody, so nothing is lost either
+    assert why_not_outline(not_homed) == ""
+    assert why_not_outline(ControllerSnapshot("idle", position_known=False)) == LOST
+    assert why_not_outline(ControllerSnapshot("running")) == RULES["outline"].why_not
+    assert why_not_outline(ControllerSnapshot()) == NOT_CONNECTED
 
 
 def test_stop_is_never_called_emergency_stop() -> None:
