@@ -109,7 +109,7 @@ def report_is_written(hand: Hand, file: Path, monkeypatch: pytest.MonkeyPatch) -
     dialog = hand.find("CNCStepper_Report_file")
     hand.main(lambda: dialog.findChild(QtGui.QLineEdit).setText(str(file)))
     hand.key("Return")
-    hand.wait(lambda: shown == [str(file)], 60, "the report")
+    hand.wait(lambda: shown == [str(file)], 180, "the report")
     page = file.read_text("utf-8")
     for words in ("Ø 40 × 91 mm", "T1 CNMG 120408", "Roughing · T1 · ", "<!-- Z (mm) -->", "<!-- stock -->", "M02"):
         assert words in page, words
