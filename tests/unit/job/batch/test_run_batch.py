@@ -7,6 +7,7 @@ import json
 import os
 import random
 import signal
+import socket
 import threading
 import time
 from collections import Counter
@@ -178,6 +179,14 @@ def test_a_scheduler_with_two_workers_gives_the_same_bytes(tmp_path: Path, monke
     assert told.value.code == "cluster-lost" and "same command" in told.value.advice
     assert result.is_whole
     assert bytes_in(tmp_path / "here") == bytes_in(tmp_path / "there")
+
+
+def test_a_port_that_takes_the_call_and_never_answers_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("distributed")
+    monkeypatch.setattr(cluster_workers, "CONNECT_S", 0.5)
+    with socket.create_server(("127.0.0.1", 0)) as silent, pytest.raises(LinkError) as told:
+        ClusterWorkers(f"tcp://127.0.0.1:{silent.getsockname()[1]}").__enter__()
+    assert told.value.code == "cluster-silent" and "start one" in told.value.advice
 
 
 @pytest.mark.parametrize(
