@@ -29593,6 +29593,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} of {all} sheets have no registration hole: one of {hole:g} mm takes {least:g} mm across</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} of {name}: {why}</source>
             <translation type="unfinished"></translation>
         </message>

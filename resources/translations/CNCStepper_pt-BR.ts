@@ -29617,6 +29617,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{count} movimentos</translation>
         </message>
         <message>
+            <source>{count} of {all} sheets have no registration hole: one of {hole:g} mm takes {least:g} mm across</source>
+            <translation>{count} de {all} chapas não têm furo de registro: um de {hole:g} mm precisa de {least:g} mm de material em volta</translation>
+        </message>
+        <message>
             <source>{count} of {name}: {why}</source>
             <translation>{count} de {name}: {why}</translation>
         </message>
