@@ -27185,6 +27185,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the thread '{text}' is not in the table of coarse pitches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29190,6 +29194,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write its passes as moves: make the program again with canned = false</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write its pitch too, such as {example}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

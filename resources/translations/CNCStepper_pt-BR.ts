@@ -27209,6 +27209,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a rosca '{text}' não está na tabela</translation>
         </message>
         <message>
+            <source>the thread '{text}' is not in the table of coarse pitches</source>
+            <translation>a rosca '{text}' não está na tabela dos passos grossos</translation>
+        </message>
+        <message>
             <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
             <translation>a rosca é mais longa que o seu cilindro de {diameter:.4g} mm</translation>
         </message>
@@ -29215,6 +29219,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write its passes as moves: make the program again with canned = false</source>
             <translation>escreva os passes como movimentos: gere o programa outra vez com canned = false</translation>
+        </message>
+        <message>
+            <source>write its pitch too, such as {example}</source>
+            <translation>escreva também o passo, como {example}</translation>
         </message>
         <message>
             <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>

@@ -78,9 +78,7 @@ def test_sheets_without_a_registration_hole_are_told() -> None:
     wide = sliced(SOLIDS["sphere"], "z", 5.0, hole_mm=100.0)
     assert not any(piece.holes for each in wide.slices for piece in each.pieces)
     count = len(wide.slices)
-    assert wide.notes == (
-        f"{count} of {count} sheets have no registration hole: one of 100 mm takes 200 mm across",
-    )
+    assert wide.notes == (f"{count} of {count} sheets have no registration hole: one of 100 mm takes 200 mm across",)
 
 
 def test_marks_lie_on_the_material_between_the_holes() -> None:
