@@ -27185,6 +27185,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the thread '{text}' is not in the table of coarse pitches</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29193,6 +29197,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write its pitch too, such as {example}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29590,6 +29598,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{count} moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} of {all} sheets have no registration hole: one of {hole:g} mm takes {least:g} mm across</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -27209,6 +27209,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a rosca '{text}' não está na tabela</translation>
         </message>
         <message>
+            <source>the thread '{text}' is not in the table of coarse pitches</source>
+            <translation>a rosca '{text}' não está na tabela dos passos grossos</translation>
+        </message>
+        <message>
             <source>the thread is longer than its cylinder of {diameter:.4g} mm</source>
             <translation>a rosca é mais longa que o seu cilindro de {diameter:.4g} mm</translation>
         </message>
@@ -29217,6 +29221,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva os passes como movimentos: gere o programa outra vez com canned = false</translation>
         </message>
         <message>
+            <source>write its pitch too, such as {example}</source>
+            <translation>escreva também o passo, como {example}</translation>
+        </message>
+        <message>
             <source>write length_mm = {length:.4g}, or lengthen the cylinder</source>
             <translation>escreva length_mm = {length:.4g}, ou alongue o cilindro</translation>
         </message>
@@ -29615,6 +29623,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{count} moves</source>
             <translation>{count} movimentos</translation>
+        </message>
+        <message>
+            <source>{count} of {all} sheets have no registration hole: one of {hole:g} mm takes {least:g} mm across</source>
+            <translation>{count} de {all} chapas não têm furo de registro: um de {hole:g} mm precisa de {least:g} mm de material em volta</translation>
         </message>
         <message>
             <source>{count} of {name}: {why}</source>

@@ -1,2 +1,2 @@
 G43 H1
-; expect unknown-word 1:5
+; expect refused-code 1:1

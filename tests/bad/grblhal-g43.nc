@@ -1,2 +1,2 @@
 G43 H1
-; expect unknown-word 1:5 grblhal | grblHAL has no word H (value H1); take it out
+; expect refused-code 1:1 grblhal | grblHAL does not accept G43 (value G43); use G43.1 with the length in Z; grblHAL answers error:20

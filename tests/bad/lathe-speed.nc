@@ -1,2 +1,2 @@
 M03 S100 #
-; expect unknown-word 1:5 mini-lathe | mini-lathe B has no word S (value S100); the spindle's speed is set by hand
+; expect refused-code 1:1 mini-lathe | mini-lathe B does not accept M3 (value M03); the spindle's speed is set by hand

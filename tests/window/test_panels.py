@@ -112,12 +112,16 @@ class Bench:
         return str(self.panel().problem.text())
 
     def fields(self) -> list[str]:
-        """Return the names of the lines of the open panel that are seen and can be typed into, its groups unfolded."""
+        """Return the names of the fields of the open panel that are seen and can be typed into, its groups unfolded.
+
+        The line of the presets takes any name, and is no field.
+        """
         for box in self.panel().findChildren(QtGui.QToolButton):
             if box.objectName().startswith("CNCStepper_Panel_group_") and box.arrowType() == RIGHT:
                 box.click()
         lines = self.panel().findChildren(QtGui.QLineEdit)
-        return [line.objectName() for line in lines if line.isVisible() and line.isEnabled()]
+        named = [line for line in lines if line.objectName()]
+        return [line.objectName() for line in named if line.isVisible() and line.isEnabled()]
 
 
 @pytest.fixture

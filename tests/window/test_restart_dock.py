@@ -118,7 +118,7 @@ def test_a_simulation_gives_its_moment(hand: Hand, job: Any) -> None:
     hand.command("CNCStepper_Simulate")
     hand.wait(lambda: hand.exists("CNCStepper_Simulation_restart"), START_S, "the simulation")
     program = hand.find("CNCStepper_Simulation_program")
-    hand.wait(lambda: program.currentIndex().isValid(), START_S, "the simulation to stand at the program's end")
+    hand.wait(lambda: program.currentIndex().row() > CUT_LINE, START_S, "the simulation to stand at the program's end")
     hand.item(program, hand.main(lambda: program.model().index(CUT_LINE - 1, 0).data()))
     hand.click("CNCStepper_Simulation_restart")
     hand.wait(lambda: hand.exists(f"{R}choice") and hand.text(f"{R}choice"), START_S, "the restart")

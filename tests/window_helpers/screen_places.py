@@ -136,6 +136,14 @@ def scroll_to(widget: Any) -> None:
             area.ensureWidgetVisible(widget)
 
 
+def _scroll_to_spot(widget: Any, spot: Any) -> None:
+    """Scroll the panels around a widget until a spot of it is seen: a list may be taller than what its panel shows."""
+    for area in [w for w in all_widgets() if isinstance(w, QtGui.QScrollArea)]:
+        if area.isVisible() and area.isAncestorOf(widget):
+            inside = widget.mapTo(area.widget(), spot)
+            area.ensureVisible(inside.x(), inside.y())
+
+
 def _chain(widget: Any) -> str:
     names = []
     while widget is not None:
@@ -204,6 +212,7 @@ def of_item(target: Any, label: str) -> Point:
     view.scrollTo(index)
     seen = view.visualRect(index).intersected(view.viewport().rect())
     assert not seen.isEmpty(), f"the entry {label!r} is hidden"
+    _scroll_to_spot(view.viewport(), seen.center())
     return _on_screen(view.viewport(), seen.center())
 
 

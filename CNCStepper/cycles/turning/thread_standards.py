@@ -35,6 +35,7 @@ DEPTH_55 = 0.640327
 DIAMETER_RANGES_MM = (0.99, 1.4, 2.8, 5.6, 11.2, 22.4, 45.0, 90.0, 180.0, 355.0)  # of ISO 965-1
 INNER_SHARE = 1.32  # tolerance of an inner pitch diameter by that of an outer one, of ISO 965-1
 GRADE_7 = 1.25  # by grade 6
+MOST_FINE_MM = 1.5  # the fine pitch of most diameters above 14 mm
 _METRIC = re.compile(r"M(\d+(?:\.\d+)?)(?:x(\d+(?:\.\d+)?))?")
 _INCH = re.compile(r"(#\d+|\d+(?: \d+/\d+)?|\d+/\d+)-(\d+(?:\.\d+)?) ?(UNC|UNF|BSW)")
 _PIPE = re.compile(r"G ?(\d+(?: \d+/\d+)?|\d+/\d+)")
@@ -140,10 +141,19 @@ def thread_table() -> dict[str, Any]:
 def _metric(text: str, left: bool, diameter: str, pitch: str | None) -> ThreadForm:
     coarse = {float(row[0]): float(row[1]) for row in thread_table()["metric"]["coarse"]}
     if pitch is None and float(diameter) not in coarse:
-        raise _refusal(text, "M" + ", M".join(f"{size:g}" for size in coarse))
+        raise _no_coarse_pitch(text, diameter, left)
     used = float(pitch) if pitch else coarse[float(diameter)]
     _row("metric", "tolerances", used, text)
     return _deep_enough(ThreadForm(text, "metric", float(diameter), used, left=left))
+
+
+def _no_coarse_pitch(text: str, diameter: str, left: bool) -> JobError:
+    """Return the refusal of a metric thread without its pitch; its advice has a fine one of ISO 261's usual series."""
+    finest, *rest = sorted(float(row[0]) for row in thread_table()["metric"]["tolerances"])
+    fine = max([finest, *(pitch for pitch in rest if pitch <= min(float(diameter) / 10.0, MOST_FINE_MM))])
+    what = Text("the thread '{text}' is not in the table of coarse pitches", text=text)
+    example = f"M{diameter}x{fine:g}{' LH' if left else ''}"
+    return JobError("thread-unknown", what, advice=Text("write its pitch too, such as {example}", example=example))
 
 
 def _inch(text: str, left: bool, size: str, per_inch: str, series: str) -> ThreadForm:

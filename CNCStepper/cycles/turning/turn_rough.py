@@ -96,7 +96,7 @@ class RoughedProfile(ProfilePath):
             moves.rapid(self.front_mm, moves.r_mm)
             moves.rapid(self.front_mm, level_mm)
         else:
-            entry = self._entry(begin, above_mm)
+            entry = self._entry(begin, level_mm, above_mm)
             z, r = self.path.at_length(entry)[0].tolist()
             self.leave(above_mm + CLEAR_MM)
             moves.rapid(z, above_mm + CLEAR_MM)
@@ -105,13 +105,21 @@ class RoughedProfile(ProfilePath):
                 moves.follow(self.path.part(entry, begin))
         moves.feed(z_end, level_mm)
 
-    def _entry(self, begin_mm: float, above_mm: float) -> float:
-        """Return where the tool comes down to the path right of a valley: at the level above, or on a hump below it."""
+    def _entry(self, begin_mm: float, level_mm: float, above_mm: float) -> float:
+        """Return where the tool comes down to the path right of a valley.
+
+        That is the end of the last valley of this level, which is cut; else at the level above, or on a hump below it.
+        """
         before = [length for length, _ in crossings_mm(self.path, above_mm) if length <= begin_mm + SAME_MM]
         first = before[-1] if before else 0.0
+        ends = [length for length, rises in crossings_mm(self.path, level_mm) if rises and first < length < begin_mm]
+        if ends:
+            return ends[-1]
+        if before:
+            return first
         places = np.linspace(first, begin_mm, 200)
         heights = self.path.at_length(places)[0][:, 1]
-        return float(places[len(places) - 1 - int(np.argmax(heights[::-1]))]) if not before else first
+        return float(places[len(places) - 1 - int(np.argmax(heights[::-1]))])
 
     def _words(self, deep_mm: float) -> dict[str, float]:
         """Return the words of a roughing cycle whose levels begin where the tool is: depth of cut and retract."""

@@ -2,6 +2,7 @@
 """The sheet of an SVG drawing: its height in mm, and the transform from the root's user units to mm with Y up.
 
 width="160mm" viewBox="0 0 160 80"   the file says the size
+style="width:160mm" viewBox=…        it does too, where width says none in mm or inches
 width="160"   viewBox="0 0 160 80"   pixels: 90 a inch in Inkscape before 0.92, 72 in Illustrator, else 96 of CSS
 no width, no viewBox                 no sheet: Y up, and zero is the upper left corner
 """
@@ -13,6 +14,7 @@ import re
 
 from CNCStepper.drawing.svg.document import Document
 from CNCStepper.drawing.svg.matrices import CSS_DPI, Matrix, fitted, length, length_mm, view_box
+from CNCStepper.drawing.svg.styles import Style
 from CNCStepper.errors import Text
 
 OLD_INKSCAPE_DPI, ILLUSTRATOR_DPI = 90.0, 72.0
@@ -33,14 +35,14 @@ def is_illustrator(document: Document) -> bool:
     return document.adobe or "Adobe Illustrator" in document.comments
 
 
-def sheet_of(document: Document, unit_mm: float | None) -> tuple[Matrix, tuple[float, float], float, str]:
+def sheet_of(document: Document, style: Style, unit_mm: float | None) -> tuple[Matrix, tuple[float, float], float, str]:
     """Return the transform to mm, the viewport in user units, the length of one in mm, and a warning, "" for none.
 
-    `unit_mm` is the length of the root's user unit where the file does not say it or is wrong.
+    `style` is the root's, `unit_mm` the length of the root's user unit where the file does not say it or is wrong.
     """
     root, dpi = document.root, dpi_of(document)
     box, how = view_box(root.get("viewBox")), root.get("preserveAspectRatio")
-    sizes = [root.get(key) for key in ("width", "height")]
+    sizes = [_said(root.get(key), style.geometry.get(key, "")) for key in ("width", "height")]
     pixel_mm = MM_OF_INCH / dpi
     known = any(length_mm(size) is not None for size in sizes)
     if unit_mm is not None:
@@ -68,6 +70,11 @@ def sheet_of(document: Document, unit_mm: float | None) -> tuple[Matrix, tuple[f
     if not (height > 0.0 and math.isfinite(height)):
         height, warning = 0.0, _no_sheet()
     return _upright(height) @ inner, viewport, inner.scale, warning
+
+
+def _said(attribute: str, styled: str) -> str:
+    """Return the attribute, or what a style says in mm or inches where that does not: pixels there are a browser's."""
+    return styled if length_mm(attribute) is None and length_mm(styled) is not None else attribute
 
 
 def _size_mm(size: str, whole: float, pixel_mm: float) -> float:

@@ -79,11 +79,13 @@ def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
     place = Place(str(path))
     document = read_document(path)
     with placed(place):
-        matrix, viewport, unit_mm, warning = sheet_of(document, options.unit_mm)
+        rules = StyleSheet(document.rules)
+        style = styled(document.root, Style(), rules, [])
+        matrix, viewport, unit_mm, warning = sheet_of(document, style, options.unit_mm)
         Bounds("unit").require(unit_mm, "the drawing's unit", place)
-        walk = _Walk(document, options.tolerance_mm, viewport, share)
+        walk = _Walk(document, rules, options.tolerance_mm, viewport, share)
         chains, gaps = joined_pieces(
-            walk.pieces(matrix),
+            walk.pieces(matrix, style),
             options.same_mm,
             options.near_mm,
             options.by_colour,
@@ -123,12 +125,13 @@ class _Context(NamedTuple):
 class _Walk:
     """Goes through the elements of a drawing and gathers their pieces."""
 
-    def __init__(self, document: Document, tolerance_mm: float, viewport: tuple[float, float], share: Share):
-        self._root, self._viewport = document.root, viewport
+    def __init__(
+        self, document: Document, rules: StyleSheet, tolerance_mm: float, viewport: tuple[float, float], share: Share
+    ):
+        self._root, self._viewport, self._sheet = document.root, viewport, rules
         self._share, self._pieces = share, FittedPieces(tolerance_mm)
         self._letters = LetterOutlines(tolerance_mm, self._pieces.budget)
         self._illustrator = is_illustrator(document)
-        self._sheet = StyleSheet(document.rules)
         self._by_id = {} if document.is_stream else _referred(document.root)
         self._done, self._count = 0, document.count if document.is_stream else self._counted(document.root, {}, 0)
         if self._count > MOST_DRAWN:
@@ -141,9 +144,8 @@ class _Walk:
             self._told["selector"] += 1
             self._names.setdefault("selector", {})[printable(selector, 40)] = None
 
-    def pieces(self, matrix: Matrix) -> ChainColumns:
+    def pieces(self, matrix: Matrix, style: Style) -> ChainColumns:
         """Return the pieces of the whole drawing; raises JobError where its curves are too many for the tolerance."""
-        style = styled(self._root, Style(), self._sheet, [])
         context = _Context(matrix, style, "", "", (), self._viewport)
         try:
             self._children(self._root, context, [])
@@ -192,7 +194,7 @@ class _Walk:
             self._use(element, context, above)
         elif element.name in CONTAINERS:
             if element.name == "svg":
-                context = _in_viewport(element, element, context)
+                context = _in_viewport(element, element, style, context)
             self._children(element, context, above)
         elif style.visible:
             self._drawn(element, context, above)
@@ -268,7 +270,7 @@ class _Walk:
         )
         if target.name in ("symbol", "svg"):
             own = context._replace(style=styled(target, context.style, self._sheet, above))
-            self._children(target, _in_viewport(target, element, own), above)
+            self._children(target, _in_viewport(target, element, context.style, own), above)
         else:
             self._element(target, context, above)
 
@@ -380,11 +382,10 @@ def _speaks(languages: str) -> bool:
     return any(word.strip().casefold().split("-")[0] == LANGUAGE for word in languages.split(",", MOST_CHOICES))
 
 
-def _in_viewport(element: Element, sized: Element, context: _Context) -> _Context:
-    """Return the context inside a nested <svg> or a <symbol>, of which `sized` gives the size."""
-    own = context.style.geometry if sized is element else {}
+def _in_viewport(element: Element, sized: Element, style: Style, context: _Context) -> _Context:
+    """Return the context inside a nested <svg> or a <symbol>, of which `sized` and its style give the size."""
     width, height = (
-        length(own.get(key) or sized.get(key) or element.get(key), whole, whole)
+        length(style.geometry.get(key) or sized.get(key) or element.get(key), whole, whole)
         for key, whole in zip(("width", "height"), context.viewport, strict=True)
     )
     x, y = _lengths(element, context, "x y") if element.name == "svg" else (0.0, 0.0)

@@ -101,7 +101,22 @@ def stack_of(
         notes += [Text("sheet {number}: {small} pieces below 1 mm2 left out", number=number, small=small)] * bool(small)
         slices.append(Slice(number, part, begin_mm, pieces))
     stack = Stack(tuple(slices), sections.thickness_mm, sections.volume_mm3)
+    if hole_diameter_mm:
+        notes += _hole_notes(slices, hole_diameter_mm)
     return replace(stack, notes=(*notes, *_volume_notes(stack, sections)))
+
+
+def _hole_notes(slices: Sequence[Slice], diameter_mm: float) -> Iterator[str]:
+    """Yield how many sheets have no registration hole."""
+    count = sum(not any(piece.holes for piece in each.pieces) for each in slices)
+    if count:
+        yield Text(
+            "{count} of {all} sheets have no registration hole: one of {hole:g} mm takes {least:g} mm across",
+            count=count,
+            all=len(slices),
+            hole=diameter_mm,
+            least=2.0 * diameter_mm,
+        )
 
 
 def _volume_notes(stack: Stack, sections: Sections) -> Iterator[str]:

@@ -85,6 +85,9 @@ def _hole_corners() -> np.ndarray:
         ('width="96px" height="48"', 25.4 / 96.0),
         ('viewBox="0 0 100 50"', 25.4 / 96.0),
         ('width="100%" height="100%" viewBox="0 0 100 50"', 25.4 / 96.0),
+        ('style="width: 100mm; height: auto" viewBox="0 0 100 50"', 1.0),
+        ('width="640" style="width: 100mm" height="320" viewBox="0 0 100 50"', 1.0),
+        ('width="100mm" style="width: 640px" height="50mm" viewBox="0 0 100 50"', 1.0),
         (INKSCAPE + 'inkscape:version="0.91 r13725" width="90" height="45"', 25.4 / 90.0),
         (INKSCAPE + 'inkscape:version="1.2.2" width="90" height="45"', 25.4 / 96.0),
         (
@@ -246,6 +249,8 @@ def test_what_is_marked_important_is_the_strongest(tmp_path: Path) -> None:
         ("use {x: 20px} g {x: 50px}", '<use href="#r" y="10"/><defs><rect id="r" width="2" height="2"/></defs>',
          [20, 38, 22, 40]),
         ("svg svg {x: 30px}", '<svg x="1" width="9" height="9"><rect width="2" height="2"/></svg>', [30, 48, 32, 50]),
+        ("use {width: 20px; height: 10px}", '<use href="#s" width="5" height="5"/>'
+         '<symbol id="s" viewBox="0 0 4 2" style="width: 3px"><rect width="4" height="2"/></symbol>', [0, 40, 20, 50]),
         ("rect {width: 20; height: auto}", '<rect width="3" height="4"/>', [0, 46, 3, 50]),
         ("g {width: 50px}", '<g><rect width="3" height="4"/></g>', [0, 46, 3, 50]),
     ],

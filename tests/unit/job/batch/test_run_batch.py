@@ -7,8 +7,8 @@ import json
 import os
 import random
 import signal
+import socket
 import threading
-import time
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -109,7 +109,8 @@ def test_workers_killed_at_random_lose_nothing_and_do_nothing_twice(tmp_path: Pa
     print(f"seed {seed}")
     here = made(order, tmp_path / "one", WorkersHere(seed))
     workers, over, killed = LocalWorkers(2), threading.Event(), list[int]()
-    killer = threading.Thread(target=_kill, args=(workers, random.Random(seed), over, killed), daemon=True)
+    journal = tmp_path / "two" / "journal.jsonl"
+    killer = threading.Thread(target=_kill, args=(workers, random.Random(seed), over, killed, journal), daemon=True)
     killer.start()
     result = made(order, tmp_path / "two", workers)
     over.set()
@@ -121,14 +122,17 @@ def test_workers_killed_at_random_lose_nothing_and_do_nothing_twice(tmp_path: Pa
     assert len(set(keys)) == len(keys) == result.done == here.done
 
 
-def _kill(workers: LocalWorkers, choice: random.Random, over: threading.Event, killed: list[int]) -> None:
-    """Kill a worker now and then, once at least."""
-    most = 3 + JOBS // 10
+def _kill(
+    workers: LocalWorkers, choice: random.Random, over: threading.Event, killed: list[int], journal: Path
+) -> None:
+    """Kill a worker now and then, once at least, but none before a task is done: one killed each time is refused."""
+    most, seen = 3 + JOBS // 10, -1
     while not over.wait(0.2 + choice.random()) and len(killed) < most:
-        if pids := workers.pids:
+        done = journal.stat().st_size if journal.exists() else 0
+        if done > seen and (pids := workers.pids):
+            seen = done
             killed.append(choice.choice(pids))
             os.kill(killed[-1], signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SIGTERM)
-            time.sleep(2.0)  # one that is killed at each start is refused, as it should be
 
 
 @pytest.mark.parametrize("most", [2, 6])
@@ -178,6 +182,14 @@ def test_a_scheduler_with_two_workers_gives_the_same_bytes(tmp_path: Path, monke
     assert told.value.code == "cluster-lost" and "same command" in told.value.advice
     assert result.is_whole
     assert bytes_in(tmp_path / "here") == bytes_in(tmp_path / "there")
+
+
+def test_a_port_that_takes_the_call_and_never_answers_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("distributed")
+    monkeypatch.setattr(cluster_workers, "CONNECT_S", 0.5)
+    with socket.create_server(("127.0.0.1", 0)) as silent, pytest.raises(LinkError) as told:
+        ClusterWorkers(f"tcp://127.0.0.1:{silent.getsockname()[1]}").__enter__()
+    assert told.value.code == "cluster-silent" and "start one" in told.value.advice
 
 
 @pytest.mark.parametrize(

@@ -74,6 +74,13 @@ def test_parts_numbers_and_registration_holes() -> None:
         assert without_holes(piece).is_valid and without_holes(piece).area > 0
 
 
+def test_sheets_without_a_registration_hole_are_told() -> None:
+    wide = sliced(SOLIDS["sphere"], "z", 5.0, hole_mm=100.0)
+    assert not any(piece.holes for each in wide.slices for piece in each.pieces)
+    count = len(wide.slices)
+    assert wide.notes == (f"{count} of {count} sheets have no registration hole: one of 100 mm takes 200 mm across",)
+
+
 def test_marks_lie_on_the_material_between_the_holes() -> None:
     marked = 0
     for each in sliced(SOLIDS["hull"], "z", 2.0, hole_mm=3.0).slices:

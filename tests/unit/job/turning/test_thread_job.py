@@ -128,6 +128,7 @@ def test_the_example_is_made_in_two_programs():
         (INDEX, THREAD + ", length_mm = 70", "thread-cylinder", "length_mm = 60"),
         (INDEX, THREAD + ", length_mm = 40, spindle_rpm = 1000", "thread-speed", "at most 925.9 rpm"),
         (INDEX, THREAD.replace("M50x1.5", "M50x1.4") + ", length_mm = 40", "thread-unknown", "1.5"),
+        (INDEX, THREAD.replace("M50x1.5", "M50") + ", length_mm = 40", "thread-unknown", "such as M50x1.5"),
         (INDEX, THREAD + ", length_mm = 1, pull_out_mm = 2", "thread-length", "lengthen"),
     ],
 )
