@@ -414,4 +414,6 @@ def test_asking_whether_a_command_can_work_takes_no_time(hand: Hand) -> None:
     document = hand.main(new_document)
     hand.main(lambda: [new_job(document) for _ in range(10)])
     hand.main(lambda: [document.addObject("App::FeaturePython", "Other") for _ in range(300)])
-    assert min(hand.main(asked_ms) for _ in range(5)) < 10
+    took_ms = [hand.main(asked_ms) for _ in range(5)]
+    print(f"asked in {min(took_ms):.1f} ms", flush=True)
+    assert min(took_ms) < 10

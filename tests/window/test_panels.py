@@ -383,7 +383,8 @@ def test_a_preset_is_saved_and_chosen_in_another_operation(hand: Hand, bench: Be
     hand.click(PRESET, at=hand.main(arrow_of, hand.find(PRESET)))
     hand.item(hand.main(places.combo_list, PRESET), "Oak")
     hand.wait(lambda: (other.Stepdown.Value, other.Depth.Value) == pytest.approx((0.7, 3)), CUT_S, "its values")
-    assert hand.text(STEPDOWN).startswith("0.7") and other.Tool == bench.tool
+    hand.wait(lambda: hand_box(STEPDOWN).text().startswith("0.7"), CUT_S, "them in the fields")
+    assert other.Tool == bench.tool
     by_hand = {"stepdown_mm": "deep", "depth_mm": True, "stepover_mm": float("inf"), "not_known": 3}
     assert hand.main(lambda: fitting(preset_entries(other), {**by_hand, "stepover_mm": 2})) == {"stepover_mm": 2}
     assert hand.main(lambda: fitting(preset_entries(other), by_hand)) == {}
