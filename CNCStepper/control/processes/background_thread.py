@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Background work of a window: files to read and write, programs to find."""
+"""Work beside the thread that asks for it: files to read and write, programs to find, a cluster that may not answer."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Result = TypeVar("Result")
 
 
 def in_background(work: Callable[[], Result]) -> Future[Result]:
-    """Return at once what will be the result of `work`, or its error: ask its `done()` from a timer.
+    """Return at once what will be the result of `work`, or its error: a window asks its `done()` from a timer.
 
     The thread does not keep the program from ending.
     """

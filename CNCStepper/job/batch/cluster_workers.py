@@ -8,15 +8,15 @@ a scheduler is asked over TLS, or on this computer itself; any other address is 
 from __future__ import annotations
 
 import ipaddress
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import CancelledError, Future
+from collections.abc import Iterator, Sequence
+from concurrent.futures import CancelledError
 from itertools import islice
 from pathlib import Path
-from threading import Thread
 from types import TracebackType
 from typing import Any
 from urllib.parse import urlsplit
 
+from CNCStepper.control.processes.background_thread import in_background
 from CNCStepper.control.session.status import error_to_json
 from CNCStepper.errors import CNCStepperError, JobError, LinkError, MissingPackage, Text
 from CNCStepper.job.batch.batch_task import run_task
@@ -81,7 +81,8 @@ class ClusterWorkers:
         try:
             options: dict[str, Any] = {"security": _security(distributed, self._keys), "name": "cncstepper"}
             options |= {"timeout": CONNECT_S, "set_as_default": False}
-            self._client = _within(2.0 * CONNECT_S, lambda: distributed.Client(self._address, **options))
+            asked = in_background(lambda: distributed.Client(self._address, **options))
+            self._client = asked.result(2.0 * CONNECT_S)  # a port that takes the call and never answers holds dask
         except (OSError, ValueError) as error:
             what = Text("no scheduler answers: {error}", error=str(error) or type(error).__name__)
             advice = "start one: dask scheduler --host 127.0.0.1, and dask worker for each core"
@@ -130,20 +131,6 @@ class ClusterWorkers:
             advice = "install CNCStepper on every worker, and look at the worker's log"
             return {"error": error_to_json(CNCStepperError("cluster-task", what, advice=advice))}
         return result
-
-
-def _within(time_s: float, connect: Callable[[], Any]) -> Any:
-    """Return what `connect` gives; raises TimeoutError: a port that takes the call and never answers holds dask."""
-    answer: Future[Any] = Future()
-
-    def ask() -> None:
-        try:
-            answer.set_result(connect())
-        except Exception as error:
-            answer.set_exception(error)
-
-    Thread(target=ask, daemon=True).start()
-    return answer.result(time_s)
 
 
 def _library() -> Any:
