@@ -255,12 +255,13 @@ class Grammar:
             allowed |= set(code.takes) | _axis_letters(code)
             for letter in code.needs:
                 if letter not in slots:
+                    limit = Text("{letter} above 0", letter=letter) if letter == "F" else ""
                     raise ProgramError(
                         "missing-word",
                         Text("{code} needs a {letter} word", code=code.name, letter=letter),
                         value=code.name,
-                        limit=Text("{letter} above 0", letter=letter) if letter == "F" else "",
-                        advice=Text("add {letter}", letter=letter),
+                        limit=limit,
+                        advice=Text("add {letter}", letter=letter) if limit else "",
                     )
             if code.axes == "must" and not any(axis in slots for axis in ALL_AXES + POLAR):
                 raise ProgramError("missing-axis", Text("{code} needs X, Y or Z", code=code.name), value=code.name)

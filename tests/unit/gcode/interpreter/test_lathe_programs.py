@@ -8,7 +8,9 @@ whose ends are rounded, a pocket behind a cylinder) are in tests/data/ngc and ju
 from __future__ import annotations
 
 import subprocess
+from dataclasses import replace
 from math import hypot
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,10 +19,10 @@ from shapely import LineString, Point
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.state import Start
+from CNCStepper.state import Start, ToolEntry
 from CNCStepper.toolpath import LINE, RAPID
 from helpers.cycles.seeds import SEEDS
-from helpers.gcode.rs274_runs import rs274_calls, run_rs274, same_call
+from helpers.gcode.rs274_runs import run_rs274, same_call
 
 # Of a profile that does not come back to the X of the cycle; LinuxCNC 2.9 fills all memory with it.
 ENDLESS = """G21 G18 G54 G90 G8 G91.1
@@ -82,13 +84,12 @@ def profile_of(seed: int) -> np.ndarray:
 
 
 def program_of(corners: np.ndarray, orientation: int, x_factor: float = 1.0, of_tool: bool = False) -> str:
-    """x_factor: 2 with X as diameter. of_tool: radius and orientation are the tool's, by G10 L1, not D and L."""
+    """x_factor: 2 with X as diameter. of_tool: radius and orientation are the tool table's, not D and L."""
     words = [f"X{x_factor * x:.6f} Z{z:.6f}" for x, z in corners]
-    tool = f"G10 L1 P7 R{RADIUS} Q{orientation} X1.5 Z-2"
     return "\n".join(
         [
             "G21 G18 G90 G8 F100",
-            *([tool, "T7 M6", "G43"] if of_tool else []),
+            *(["T7 M6", "G43"] if of_tool else []),
             "G7" if x_factor == 2.0 else "G8",
             f"G0 X{40 * x_factor} Y0 Z10",
             "G42" if of_tool else f"G42.1 D{x_factor * 2 * RADIUS} L{orientation}",
@@ -107,6 +108,15 @@ def with_an_arc(text: str, sign: float) -> str:
     return "\n".join(lines)
 
 
+def rs274_with_tool(text: str, orientation: int, folder: Path) -> tuple[list[str], bool]:
+    """Return rs274's calls with tool 7, and whether it took the program; its stand-alone table is in inches."""
+    row = f"T7 P7 D{2 * RADIUS / 25.4:.8f} Q{orientation} X{1.5 / 25.4:.8f} Z{-2.0 / 25.4:.8f}\n"
+    (folder / "tool.tbl").write_text(row)
+    (folder / "program.ngc").write_text(text)
+    run = run_rs274(folder, "-t", "tool.tbl", "program.ngc")
+    return [line.rstrip() for line in run.stdout.splitlines() if line.strip()], run.returncode == 0
+
+
 @pytest.mark.parametrize("orientation", CONTROL_POINT)
 def test_rs274_drives_the_compensated_moves_of_a_lathe_program(orientation, tmp_path):
     """G41 and G42, X as radius and diameter, nose and orientation from words and from the tool, lines and arcs."""
@@ -117,9 +127,11 @@ def test_rs274_drives_the_compensated_moves_of_a_lathe_program(orientation, tmp_
             text = program_of(profile_of(seed), orientation, x_factor, of_tool)
             text = with_an_arc(text, 1.0 if seed % 2 else -1.0) if has_arc else text
             text = text.replace("G42", "G41") if is_left else text
-            theirs, is_taken = rs274_calls(text, tmp_path)
+            theirs, is_taken = rs274_with_tool(text, orientation, tmp_path)
+            tool = ToolEntry(7, (1.5, 0.0, -2.0, *[0.0] * 6), 2 * RADIUS, orientation=orientation)
+            start = replace(Start.at_zero(), tools={7: tool})
             try:
-                ours = [call.rstrip() for call in canonical_calls(text) if call.strip()]
+                ours = [call.rstrip() for call in canonical_calls(text, start=start) if call.strip()]
             except ProgramError as refusal:
                 assert not is_taken, (seed, text, refusal)
                 continue
