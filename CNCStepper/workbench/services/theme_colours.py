@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Colours of letters that mean something, as they read in FreeCAD's theme: darker on a light ground, lighter on a dark.
 
-A theme of FreeCAD's is a style sheet, which gives some kinds of widgets their colours and others none: what a label gets
+A theme of FreeCAD is a style sheet, which gives some kinds of widgets their colours and others none: what a label gets
 is what counts.
 """
 
