@@ -17,7 +17,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from CNCStepper.simulation.comparison.path_comparison import PathComparison
+from CNCStepper.simulation.comparison.path_overlay import PathComparison
 from CNCStepper.simulation.comparison.picture_words import WORDS
 from CNCStepper.simulation.tip_segments import Segments, chains
 from CNCStepper.simulation.views.path_lines import FROM_ABOVE, LATHE
