@@ -34,9 +34,13 @@ def new_job() -> Any:
     return job
 
 
+def _menu_text() -> str:
+    return str(FreeCADGui.Command.get("CNCStepper_Compare").getAction()[0].text().replace("&", ""))
+
+
 @pytest.fixture
 def window(hand: Hand) -> Iterator[Any]:
-    hand.command("CNCStepper_Compare")
+    hand.menu("CNCStepper", hand.main(_menu_text))
     hand.wait(lambda: widget(C) and widget(C).isVisible(), what="the window")
     hand.settle()
     yield widget(C)

@@ -18,6 +18,7 @@ from CNCStepper.cli.common.program_options import ProgramOptions, program_option
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.machine.profile import Machine, load_machine
+from CNCStepper.tolerances import SAME_PATH_MM
 
 if TYPE_CHECKING:
     from CNCStepper.job.comparison.compare_programs import ComparedProgram, PartOf, ProgramComparison
@@ -40,7 +41,7 @@ DIFFER = 1  # the exit status, as of `diff`
     "--tolerance",
     "same_mm",
     type=NumberType(above=0.0),
-    default=0.02,
+    default=SAME_PATH_MM,
     show_default=True,
     help="How far apart paths may be that are one, mm.",
 )

@@ -21,8 +21,9 @@ from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.interpolation.dda_stream import times_and_whole_s
 from CNCStepper.motion.planner.plan import begun
 from CNCStepper.simulation.comparison.path_figures import PathFigures, Range, figures_of
-from CNCStepper.simulation.comparison.path_overlay import SAME_PATH_MM, PathComparison, compare_paths
+from CNCStepper.simulation.comparison.path_overlay import PathComparison, compare_paths
 from CNCStepper.state import Start
+from CNCStepper.tolerances import SAME_PATH_MM
 from CNCStepper.toolpath import Toolpath
 
 Share = Callable[[float], None]

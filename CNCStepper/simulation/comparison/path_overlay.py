@@ -19,10 +19,9 @@ from CNCStepper.simulation.comparison.first_difference import Course, Parting, f
 from CNCStepper.simulation.comparison.segment_tree import SegmentTree
 from CNCStepper.simulation.tip_segments import Segments, parted, segments
 from CNCStepper.state import State
-from CNCStepper.tolerances import NO_LENGTH_MM
+from CNCStepper.tolerances import NO_LENGTH_MM, SAME_PATH_MM
 from CNCStepper.toolpath import RAPID, Toolpath, distinct, require_straight_axes
 
-SAME_PATH_MM = 0.02  # unless told: within it, arcs and the chords that CAM programs make of them are one path
 CHORD_SHARE = 0.25  # of the tolerance: how far our own chords may leave an arc
 PIECES = 1000  # of the size of both paths: a piece is no longer
 MOST_PIECES = 1_000_000  # of a path's whole length

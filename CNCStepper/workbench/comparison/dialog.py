@@ -17,6 +17,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.simulation.comparison.picture_words import WORDS
+from CNCStepper.tolerances import SAME_PATH_MM
 from CNCStepper.workbench.calculation.drawing_process import DrawingRequest, process
 from CNCStepper.workbench.comparison.picture_view import PictureView
 from CNCStepper.workbench.features.base import JOB, JOBS, proxy_type
@@ -32,7 +33,7 @@ NAME = "CNCStepper_Comparison"
 SIZE = (1000, 680)
 GUIDE = "editing.md"
 PICTURE = "comparison.png"
-TOLERANCE_MM, LEAST_MM, MOST_MM = 0.02, 0.001, 10.0
+LEAST_MM, MOST_MM = 0.001, 10.0
 
 
 class Comparison(QtGui.QDialog):
@@ -191,7 +192,7 @@ class Comparison(QtGui.QDialog):
         self.tolerance.setRange(LEAST_MM, MOST_MM)
         self.tolerance.setSingleStep(0.01)
         self.tolerance.setSuffix(" mm")
-        self.tolerance.setValue(TOLERANCE_MM)
+        self.tolerance.setValue(SAME_PATH_MM)
         self.tolerance.setToolTip(tr("How far apart paths may be that are one"))
         self.words.setObjectName(f"{NAME}_words")
         self.words.setWordWrap(True)
