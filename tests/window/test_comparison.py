@@ -35,7 +35,7 @@ def new_job() -> Any:
 
 
 def _menu_text() -> str:
-    return str(FreeCADGui.Command.get("CNCStepper_Compare").getAction()[0].text().replace("&", ""))
+    return str(FreeCADGui.Command.get("CNCStepper_Compare").getAction()[0].text().replace("&", "").rstrip("…"))
 
 
 @pytest.fixture
