@@ -15,7 +15,8 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
-from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.atomic_file import write_whole
+from CNCStepper.errors import CNCStepperError
 from CNCStepper.simulation.comparison.picture_words import WORDS
 from CNCStepper.tolerances import SAME_PATH_MM
 from CNCStepper.workbench.calculation.drawing_process import DrawingRequest, process
@@ -122,11 +123,8 @@ class Comparison(QtGui.QDialog):
         self.note.show()
 
     def save_picture(self, path: Path) -> None:
-        """Write the picture as a file; raises JobError where that fails."""
-        try:
-            shutil.copyfile(self.folder / PICTURE, path)
-        except OSError:
-            raise JobError("picture-file", tr("{0} cannot be written").format(path)) from None
+        """Write the picture as a file; raises OSError where that fails."""
+        write_whole(path, (self.folder / PICTURE).read_bytes())
         messages.note(tr("{0} was written").format(path))
 
     def closeEvent(self, event: Any) -> None:
