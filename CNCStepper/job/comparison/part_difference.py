@@ -48,8 +48,8 @@ def _of_heights(first: HeightMap, second: HeightMap) -> PartDifference:
     row, column = np.unravel_index(np.argmax(np.abs(deeper_mm)), deeper_mm.shape)
     deepest_mm = float(abs(deeper_mm[row, column]))
     place = (float(first.x_mm[column]), float(first.y_mm[row])) if deepest_mm else None
-    only = [float((np.maximum(sign * deeper_mm, 0.0) * cell_mm2).sum()) for sign in (1.0, -1.0)]
-    return PartDifference(*only, deepest_mm, place, "XY")
+    one, other = (float((np.maximum(sign * deeper_mm, 0.0) * cell_mm2).sum()) for sign in (1.0, -1.0))
+    return PartDifference(one, other, deepest_mm, place, "XY")
 
 
 def _of_sections(first: HalfSection, second: HalfSection) -> PartDifference:
@@ -66,4 +66,5 @@ def _of_sections(first: HalfSection, second: HalfSection) -> PartDifference:
             if away_mm[worst] > deepest_mm:
                 z_mm, radius_mm = corners[worst].tolist()
                 deepest_mm, place = float(away_mm[worst]), (radius_mm, z_mm)
-    return PartDifference(*(HalfSection(region).volume_mm3 for region in gone), deepest_mm, place, "XZ")
+    one, other = (HalfSection(region).volume_mm3 for region in gone)
+    return PartDifference(one, other, deepest_mm, place, "XZ")
