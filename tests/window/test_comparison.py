@@ -55,14 +55,15 @@ def job(hand: Hand) -> Any:
 
 def choose_file(hand: Hand, which: str, path: Path) -> None:
     hand.click(f"{C}_{which}_file")
-    hand.wait(lambda: any(dialog.isVisible() for dialog in _dialogs()), what="the file dialog")
-    hand.type(str(path))
+    hand.wait(lambda: _dialogs(), what="the file dialog")
+    hand.main(lambda: _dialogs()[0].findChild(QtGui.QLineEdit).setText(str(path)))
     hand.key("Return")
-    hand.wait(lambda: not any(dialog.isVisible() for dialog in _dialogs()), what="the dialog to close")
+    hand.wait(lambda: not _dialogs(), what="the dialog to close")
 
 
 def _dialogs() -> list[Any]:
-    return [one for one in QtGui.QApplication.topLevelWidgets() if isinstance(one, QtGui.QFileDialog)]
+    windows = QtGui.QApplication.topLevelWidgets()
+    return [one for one in windows if isinstance(one, QtGui.QFileDialog) and one.isVisible()]
 
 
 def compare(hand: Hand, window: Any) -> Any:

@@ -231,6 +231,7 @@ class Comparison(QtGui.QDialog):
         sides = QtGui.QSplitter(QtCore.Qt.Orientation.Horizontal, self)
         sides.addWidget(self.picture)
         sides.addWidget(self.figures)
+        sides.setSizes([3 * SIZE[0] // 5, 2 * SIZE[0] // 5])
         sides.setStretchFactor(0, 3)
         sides.setStretchFactor(1, 2)
         column = QtGui.QVBoxLayout(self)
