@@ -78,15 +78,14 @@ def compare(hand: Hand, window: Any) -> Any:
 def test_a_jobs_program_is_compared_with_a_file(hand: Hand, job: Any, window: Any, tmp_path: Path) -> None:
     text = hand.main(program_file.load, job)
     changed = tmp_path / "changed.nc"
-    lines = text.splitlines(keepends=True)
-    place = next(at for at, line in enumerate(lines) if line.startswith(("G2", "G3")))
-    changed.write_text("".join([*lines[:place], "G1 X0 Y0\n", *lines[place:]]), encoding="utf-8")
+    changed.write_text(text.replace("Z-2.000", "Z-1.500"), encoding="utf-8")
+    place = next(at for at, line in enumerate(text.splitlines(), start=1) if "Z-2.000" in line)
     assert hand.main(lambda: (window.sources[0].currentData(), window.button.isEnabled())) == (job, False)
     choose_file(hand, "second", changed)
     answer = compare(hand, window)
     assert not answer["same"], hand.text(f"{C}_words")
-    assert answer["report"]["first_difference"]["path"] == [place + 1, place + 1]
-    assert answer["report"]["part"] is not None
+    assert answer["report"]["first_difference"]["path"] == [place, place]
+    assert answer["report"]["part"]["deepest_mm"] == pytest.approx(0.5)
     assert hand.main(window.figures.rowCount) == len(answer["rows"])
     assert hand.main(lambda: len(window.picture.scene().items())) == 1
     hand.shot("comparison")
