@@ -252,7 +252,7 @@ def test_a_change_of_the_whole_program_is_shown_before_it_is_made(hand: Hand, tm
     hand.main(begin)
     hand.wait(lambda: QtGui.QApplication.activeModalWidget() is not None, 5)
     hand.fill(NAME + "verb_x_mm", "25")
-    hand.click(NAME + "verb_ok")
+    hand.click(NAME + "verb_values_ok")
     hand.wait(lambda: is_shown(NAME + "diff"), 20)
     hand.shot("editor-diff")
     hand.click(NAME + "diff_apply")

@@ -13,7 +13,7 @@ import FreeCADGui
 import pytest
 from PySide import QtGui
 from test_dock import D, own_sessions, says  # noqa: F401
-from test_machines import FIELD, M, cut_off, dialog, machines, show  # noqa: F401
+from test_machines import FIELD, M, click_tab, cut_off, dialog, machines, show  # noqa: F401
 
 from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.machine.files.profile_files import own_folder
@@ -89,13 +89,6 @@ def open_test(hand: Hand, kind: str) -> Any:
     return test
 
 
-def click_tab(hand: Hand, number: int) -> None:
-    bar = hand.main(lambda: dialog().tabs.tabBar())
-    middle = hand.main(lambda: bar.tabRect(number).center())
-    hand.click(bar, at=(middle.x(), middle.y()))
-    hand.wait(lambda: dialog().tabs.currentIndex() == number, what="the tab")
-
-
 def close_dialog(hand: Hand) -> None:
     hand.click(f"{M}_close")
     hand.wait(lambda: not dialog().isVisible(), what="the dialog's end")
@@ -128,10 +121,8 @@ def test_a_profile_of_each_machine_is_copied_changed_and_saved(hand: Hand, machi
         assert not hand.main(lambda: machines.tabs.currentWidget().horizontalScrollBar().isVisible())
         assert hand.main(cut_off) == []
     hand.click(f"{M}_copy")
-    hand.wait(lambda: dialog().findChild(QtGui.QInputDialog), what="the question")
-    hand.settle()
-    hand.type(f"my-{kind}")
-    hand.key("Return")
+    hand.fill(f"{M}_question_name", f"my-{kind}")
+    hand.click(f"{M}_question_ok")
     hand.wait(lambda: dialog().name == f"my-{kind}", what="the copy")
     click_tab(hand, 1)
     hand.fill(f"{FIELD}_axis_x_travel_max_mm", "123.5")
