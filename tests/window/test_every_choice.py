@@ -6,16 +6,20 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
+import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
+from test_drawn_objects import SHEET
 from test_lathe import every_operation
 from test_typing import KINDS, draw, hidden_view
 
-from CNCStepper.workbench import panels
+from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.features.base import edit, proxy_type, value_of
-from CNCStepper.workbench.panels.fields import CheckField, ChoiceField, NumberField, VectorField
+from CNCStepper.workbench.panels.fields import CheckField, ChoiceField, NumberField, TextField, VectorField
+from CNCStepper.workbench.panels.text import FontField
 from window_helpers.hand import Hand
 from window_helpers.task_panels import PANEL
 
@@ -34,6 +38,28 @@ def test_every_group_box_and_choice_of_turning_answers(hand: Hand) -> None:
     with hidden_view(hand):
         for obj in (job, *hand.main(lambda: [job.Tools[0], *job.Operations, *job.Operations[1].OutList[1:2]])):
             work_through(hand, obj, done, (CheckField, ChoiceField, NumberField, VectorField))
+
+
+def test_every_field_of_drawings_texts_and_sheets_answers(hand: Hand, tmp_path: Path) -> None:
+    file, done = tmp_path / "plate.svg", set[str]()
+    file.write_text(SHEET.format(radius=8), "utf-8")
+    kinds = (CheckField, ChoiceField, FontField, NumberField, TextField, VectorField)
+    with hidden_view(hand):
+        for obj in hand.main(drawn_objects, file, limit_s=120):
+            work_through(hand, obj, done, kinds)
+
+
+def drawn_objects(file: Path) -> list[Any]:
+    """Make a drawing, a text, a shape, slices of a box, a nest and an arrangement."""
+    document = FreeCAD.newDocument("Drawn")
+    document.UndoMode = 1
+    job = api.new_job(document)
+    drawing = api.import_drawing(document, file)
+    box = document.addObject("Part::Box", "Box")
+    text, shape = api.add_text(document, "ABC"), api.add_shape(document, "flange")
+    document.recompute()
+    slices, nest = api.add_slices(document, box), api.add_nest(document, [text])
+    return [drawing, text, shape, slices, nest, api.add_arrangement(job, [])]
 
 
 def work_through(hand: Hand, obj: Any, done: set[str], kinds: tuple[Any, ...] = (CheckField, ChoiceField)) -> None:
@@ -81,7 +107,9 @@ def next_field(obj: Any, done: set[str], kinds: tuple[Any, ...]) -> Any:
     """Return an editor, a field of it and a widget of that which was not clicked yet, None when all were."""
     for editor in editors_of(obj):
         for field in editor.form.field_order():
-            if not isinstance(field, kinds) or (isinstance(field, ChoiceField) and not others(field.editors[0])):
+            if not isinstance(field, kinds) or (
+                isinstance(field, ChoiceField | FontField) and not others(field.editors[0])
+            ):
                 continue
             for box in field.editors:
                 if box.isVisible() and box.isEnabled() and box.objectName() not in done:
@@ -102,7 +130,7 @@ def change(hand: Hand, editor: Any, field: Any, box: Any) -> None:
     before = hand.main(value_of, field.obj, entry)
     if isinstance(field, CheckField):
         hand.click(box)
-    elif isinstance(field, ChoiceField):
+    elif isinstance(field, ChoiceField | FontField):
         number = hand.main(others, box)[0]
         hand.choose(box, hand.main(box.itemText, number))
     else:
