@@ -421,7 +421,7 @@ def test_a_click_adds_every_other_operation(hand: Hand, setting: dict[str, Any])
     outline = hand.main(lambda: sketch_of(document, ellipse(30, 20)))
     hand.main(document.recompute)
     for name in COMMANDS_OF[setting["process"]]:
-        hand.main(select, outline)
+        hand.main(select, *([outline] if name in OF_SHEETS else []))
         hand.wait(action(name).isEnabled, 10, f"{name} to be possible")
         hand.command(name)
         hand.wait(FreeCADGui.Control.activeDialog, 20, f"the panel of {name}")

@@ -149,12 +149,13 @@ def test_jog_and_zero(hand: Hand, dock: Any) -> None:
         assert work_mm(hand, axis) != 0
         hand.click(f"{D}Zero{axis}")
         hand.wait(lambda axis=axis: work_mm(hand, axis) == 0)
-    hand.click(f"{D}ZeroAll")
-    hand.wait(lambda: work_mm(hand, "X") == 0)
     hand.shot("dock-idle")
-    hand.fill(f"{D}JogFeed", "777")
+    hand.click(f"{D}JogFeed")
+    hand.key("Ctrl+A")
+    hand.type("777")
+    hand.key("Tab")
     hand.wait(lambda: settings.jog_feed_mm_min() == 777, 5, "the feed to be remembered")
-    hand.fill(f"{D}JogFeed", "1000")
+    hand.main(dock.jog.feed.setValue, 1000.0)
     hand.click(f"{D}Connect")
     says(hand, "Not connected")
 

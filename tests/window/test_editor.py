@@ -234,6 +234,8 @@ def test_what_was_typed_stays_when_the_document_goes(hand: Hand, job: Any, tmp_p
     hand.main(FreeCAD.closeDocument, job.Document.Name)
     hand.settle()
     assert not panel.stage.shown and hand.main(lambda: panel.title) == "Job *"
+    hand.main(new_document)  # of the same name
+    assert not hand.main(lambda: panel.source.alive)
     hand.main(panel.edit.setFocus)
     hand.settle()
     hand.type("2")
@@ -301,11 +303,16 @@ def test_every_change_of_the_menu_is_asked_for_shown_and_taken_back(hand: Hand, 
             for field in verb.fields:
                 give(hand, field)
             hand.click(NAME + "verb_values_ok")
-        hand.wait(lambda: is_shown(NAME + "diff") or places.visible("CNCStepper_Tell_ok"), 30, f"{verb.name} to answer")
+        hand.wait(lambda: is_shown(NAME + "diff") or answers_in_words(), 30, f"{verb.name} to answer")
         if hand.main(is_shown, NAME + "diff"):
             made.add(verb.name)
-        hand.click(f"{NAME}diff_cancel" if verb.name in made else "CNCStepper_Tell_ok")
+            hand.click(NAME + "diff_text")
+            assert hand.main(lambda: places.find(NAME + "diff_text").hasFocus())
+            hand.click(NAME + "diff_cancel")
+        elif hand.exists("CNCStepper_Tell_ok"):
+            hand.click("CNCStepper_Tell_ok")
         hand.wait(lambda: QtGui.QApplication.activeModalWidget() is None, 5, "the answer to go")
+        hand.main(lambda: FreeCADGui.getMainWindow().statusBar().clearMessage())
         assert hand.main(panel.text) == TEXT
     assert {"offset", "scale", "rotate", "mirror", "feeds", "units", "renumber"} <= made
     choose_change(hand, VERBS[0])
@@ -313,6 +320,12 @@ def test_every_change_of_the_menu_is_asked_for_shown_and_taken_back(hand: Hand, 
     hand.wait(lambda: QtGui.QApplication.activeModalWidget() is None, 5, "the question to go")
     hand.settle()
     assert not hand.main(is_shown, NAME + "diff")
+
+
+def answers_in_words() -> bool:
+    """Tell whether the status bar says that nothing changes, or a box why nothing can."""
+    said = FreeCADGui.getMainWindow().statusBar().currentMessage()
+    return said == "Nothing changes." or bool(places.visible("CNCStepper_Tell_ok"))
 
 
 def choose_change(hand: Hand, verb: Any) -> None:

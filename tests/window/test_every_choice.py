@@ -130,7 +130,9 @@ def change(hand: Hand, editor: Any, field: Any, box: Any) -> None:
     before = hand.main(value_of, field.obj, entry)
     if isinstance(field, CheckField):
         hand.click(box)
-    elif isinstance(field, ChoiceField | FontField):
+    elif isinstance(field, FontField):
+        hand.fill(box, "DejaVu Sans")
+    elif isinstance(field, ChoiceField):
         number = hand.main(others, box)[0]
         hand.choose(box, hand.main(box.itemText, number))
     else:

@@ -8,7 +8,7 @@ Numbers of rows are left out of names: the fields of a table's second row are th
 Each run writes one file beside its pictures, `build/window/VERSION[-KIND]/touches.json`. A run of named tests adds to
 the file that is there. This script prints what nobody touched, over all kinds of one version but those that click at
 random: `.venv/bin/python tests/window_helpers/touches.py host`; its exit status is 0 when nothing is left.
-`make matrix` fails where something is left in the system's FreeCAD.
+`make matrix` prints the same at its end.
 """
 
 from __future__ import annotations
