@@ -267,7 +267,8 @@ def test_curves_that_take_too_long_together_refuse_the_drawing(tmp_path: Path, m
 
 
 @pytest.mark.slow
-def test_a_long_drawing_says_how_far_it_is_and_can_be_ended(tmp_path: Path) -> None:
+def test_a_long_drawing_says_how_far_it_is_and_can_be_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("CNCStepper.input_file.CHUNK_BYTES", 50_000)
     path, shares = lines_file(tmp_path, 3000), []
     read_dxf(path, 0.005, share=shares.append)
     assert len(shares) > 5 and shares == sorted(shares) and 0 < shares[0] < 0.6 < shares[-1] == 1
