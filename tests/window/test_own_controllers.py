@@ -10,7 +10,6 @@ from typing import Any
 
 import FreeCAD
 import pytest
-from PySide import QtGui
 from test_dock import D, own_sessions, says  # noqa: F401
 from test_machines import FIELD, M, click_tab, cut_off, dialog, machines, show  # noqa: F401
 
