@@ -18365,6 +18365,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>after z {z:.6g} mm let z never rise along it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>all before line {first_line} is cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18669,6 +18673,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at {place} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18874,6 +18882,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>boring takes a tool for the inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21433,6 +21445,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave out what follows z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave part = "holes" out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22041,6 +22057,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move its point at z {z:.6g} mm, radius {r:.6g} mm there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22353,6 +22373,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no insert reaches both its walls: cut it with a blade of {width:.4g} mm or narrower, {deep:.4g} mm deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no jet is driven by more than 10 kbar</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22530,6 +22554,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>no torch or wire draws more than 10 kA</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no usual insert fits between its walls: it must fill {room:.4g} deg or less; draw them less steep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28021,6 +28049,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>threading {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28202,6 +28234,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>turning counter-clockwise (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28397,6 +28433,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a left-hand insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a longer drill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28410,10 +28450,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>use a mill, or lift the drill before it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>use a more pointed insert or a groove</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28497,15 +28533,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use an insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use another blade</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use another holder</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>use another insert or holder</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29401,6 +29437,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>z {z:.6g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>zero of</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29610,6 +29654,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{count} paths are damaged and read up to the damage</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} points fewer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29966,6 +30014,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{length} characters, {text} with spaces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -18389,6 +18389,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>depois de uma parada o primeiro movimento nomeia todos os seus eixos, em um só trajeto reto: deixe a máquina acima da peça</translation>
         </message>
         <message>
+            <source>after z {z:.6g} mm let z never rise along it</source>
+            <translation>depois de z {z:.6g} mm não deixe z subir ao longo dele</translation>
+        </message>
+        <message>
             <source>all before line {first_line} is cut</source>
             <translation>tudo antes da linha {first_line} está cortado</translation>
         </message>
@@ -18693,6 +18697,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>em z {0} mm, raio {1} mm</translation>
         </message>
         <message>
+            <source>at z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation>em z {z:.6g} mm, raio {r:.6g} mm</translation>
+        </message>
+        <message>
             <source>at {place} mm</source>
             <translation>em {place} mm</translation>
         </message>
@@ -18899,6 +18907,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>boring takes a tool for the inside</source>
             <translation>o mandrilamento usa uma ferramenta interna</translation>
+        </message>
+        <message>
+            <source>boring {name}</source>
+            <translation>{name} de mandrilar</translation>
         </message>
         <message>
             <source>both radii must be positive</source>
@@ -21457,6 +21469,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>omitir</translation>
         </message>
         <message>
+            <source>leave out what follows z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation>omita o que segue z {z:.6g} mm, raio {r:.6g} mm</translation>
+        </message>
+        <message>
             <source>leave part = "holes" out</source>
             <translation>deixe part = "holes" fora</translation>
         </message>
@@ -22065,6 +22081,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desloque-a {in_mm:.3f} mm para dentro, ou use uma chapa maior</translation>
         </message>
         <message>
+            <source>move its point at z {z:.6g} mm, radius {r:.6g} mm there</source>
+            <translation>mova para lá o seu ponto em z {z:.6g} mm, raio {r:.6g} mm</translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation>mova um dos cantos</translation>
         </message>
@@ -22377,6 +22397,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhuma entrada pode ser lida</translation>
         </message>
         <message>
+            <source>no insert reaches both its walls: cut it with a blade of {width:.4g} mm or narrower, {deep:.4g} mm deep</source>
+            <translation>nenhuma pastilha alcança as duas paredes: corte com um bedame de {width:.4g} mm ou mais estreito, a {deep:.4g} mm de profundidade</translation>
+        </message>
+        <message>
             <source>no jet is driven by more than 10 kbar</source>
             <translation>nenhum jato trabalha com mais de 10 kbar</translation>
         </message>
@@ -22555,6 +22579,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>no torch or wire draws more than 10 kA</source>
             <translation>nenhuma tocha ou fio puxa mais de 10 kA</translation>
+        </message>
+        <message>
+            <source>no usual insert fits between its walls: it must fill {room:.4g} deg or less; draw them less steep</source>
+            <translation>nenhuma pastilha usual cabe entre as paredes: ela deve ocupar {room:.4g} graus ou menos; desenhe-as menos íngremes</translation>
         </message>
         <message>
             <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
@@ -28045,6 +28073,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>roscar</translation>
         </message>
         <message>
+            <source>threading {name}</source>
+            <translation>{name} de roscar</translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation>roscas só podem ser cortadas no plano ZX</translation>
         </message>
@@ -28227,6 +28259,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>turning counter-clockwise (M4)</source>
             <translation>girando no sentido anti-horário (M4)</translation>
+        </message>
+        <message>
+            <source>turning {name}</source>
+            <translation>{name} de tornear</translation>
         </message>
         <message>
             <source>twice the holes' distance from it</source>
@@ -28421,6 +28457,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use uma fresa de topo reto</translation>
         </message>
         <message>
+            <source>use a left-hand insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation>use uma pastilha à esquerda {shape} ({nose:g} graus) com ângulo de posição de {low:.4g} a {high:.4g} graus</translation>
+        </message>
+        <message>
             <source>use a longer drill</source>
             <translation>use uma broca mais longa</translation>
         </message>
@@ -28435,10 +28475,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>use a mill, or lift the drill before it</source>
             <translation>use uma fresa, ou levante a broca antes disso</translation>
-        </message>
-        <message>
-            <source>use a more pointed insert or a groove</source>
-            <translation>use uma pastilha mais aguda ou um canal</translation>
         </message>
         <message>
             <source>use a name of your own</source>
@@ -28521,16 +28557,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use uma pastilha desse passo</translation>
         </message>
         <message>
+            <source>use an insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation>use uma pastilha {shape} ({nose:g} graus) com ângulo de posição de {low:.4g} a {high:.4g} graus</translation>
+        </message>
+        <message>
             <source>use another blade</source>
             <translation>use outro bedame</translation>
         </message>
         <message>
             <source>use another holder</source>
             <translation>use outro suporte</translation>
-        </message>
-        <message>
-            <source>use another insert or holder</source>
-            <translation>use outra pastilha ou outro suporte</translation>
         </message>
         <message>
             <source>use another tool</source>
@@ -29425,6 +29461,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>z {0} mm no máximo</translation>
         </message>
         <message>
+            <source>z {z:.6g} mm</source>
+            <translation>z {z:.6g} mm</translation>
+        </message>
+        <message>
+            <source>z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation>z {z:.6g} mm, raio {r:.6g} mm</translation>
+        </message>
+        <message>
             <source>zero of</source>
             <translation>zero de</translation>
         </message>
@@ -29635,6 +29679,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation>{count} caminhos estão danificados e são lidos até o dano</translation>
+        </message>
+        <message>
+            <source>{count} points fewer</source>
+            <translation>{count} pontos a menos</translation>
         </message>
         <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
@@ -29991,6 +30039,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{length} characters, {text} with spaces</source>
             <translation>{length} caracteres, {text} com espaços</translation>
+        </message>
+        <message>
+            <source>{letter} above 0</source>
+            <translation>{letter} acima de 0</translation>
         </message>
         <message>
             <source>{letter} and {axis} are the same axis</source>

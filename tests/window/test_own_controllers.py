@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
 import pytest
 from PySide import QtGui
 from test_dock import D, own_sessions, says  # noqa: F401
@@ -18,8 +17,8 @@ from test_machines import FIELD, M, cut_off, dialog, machines, show  # noqa: F40
 from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.machine.files.profile_files import own_folder
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from window_helpers import screen_places as places
+from window_helpers.docks import opened_dock
 from window_helpers.hand import Hand
 from window_helpers.twin import Twin
 
@@ -31,27 +30,15 @@ LINES = ["G21G90G94", "G1X20F300", "G1Y15", "G1X0"]
 @pytest.fixture
 def dock(hand: Hand) -> Iterator[Any]:
     """The dock's panel, disconnected at the end, with the profile that it had."""
-    hand.command("CNCStepper_Controller")
-    hand.wait(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "CNCStepper_Dock"))
-    shown = hand.main(FreeCADGui.getMainWindow().findChild, QtGui.QDockWidget, "CNCStepper_Dock")
-    panel = hand.main(shown.widget)
-    before = hand.main(lambda: panel.connection.profile)
-    yield panel
-    hand.main(panel.link.command, "stop")
-    hand.wait(lambda: not panel.link.moment.job_runs, 20)
 
-    def end() -> None:
-        panel.sending.away()
-        panel.link.leave()
+    def at_end(panel: Any) -> None:
         panel.by_line.setChecked(False)
-        panel.connection.machine.setCurrentText(before)
-        panel.connection.look(VIRTUAL)
-        panel.refresh()
-        shown.close()
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
 
-    hand.main(end)
+    with opened_dock(hand, at_end) as panel:
+        yield panel
+        hand.main(panel.link.command, "stop")
+        hand.wait(lambda: not panel.link.moment.job_runs, 20)
+    hand.main(lambda: [FreeCAD.closeDocument(name) for name in list(FreeCAD.listDocuments())])
     hand.settle()
 
 
