@@ -15411,6 +15411,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a strip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a subroutine that is called</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15424,6 +15428,14 @@ the height</source>
         </message>
         <message>
             <source>at most {notes} parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>checking</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>checking {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15462,7 +15474,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>converting {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut {cut:.1f} mm, in air {air:.1f} mm, rapid {rapid:.1f} mm, pierces {pierces}{removed}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cutting the stock by</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15554,7 +15574,31 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>judging the part of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>letters: one a pulse. board: a byte a pulse, four motors. coils: time and wires of each motor. parport: time, data and control register. csv: time and positions. vcd: every edge, for GTKWave or PulseView.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>looking at {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making and proving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making the programs of {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making the shapes of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15563,6 +15607,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>name one with --contour, or give --line, --operation or --at</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nesting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15614,6 +15662,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>proving {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pulse letters have no certificate: they are checked when they are sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15622,7 +15674,31 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading back what was made of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading {name}, {read_mb:.0f} MB so far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reporting on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15630,7 +15706,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>slicing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>square of {side:g} mm at {feed:g} mm/min: done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stepping {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15698,6 +15782,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>timing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>timing {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>touch_off: the operator zeroes each tool, so that lengths are left out. [default: lengths are kept]</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15711,6 +15803,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>what moves the axis? give --screw MM, or --belt MM and --teeth N, or --machine and --axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>writing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15926,7 +16022,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{stage} the restart of {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{status}   ~ goes on, stop ends it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{text} (Ctrl+C stops it)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15939,6 +16043,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{to}: {rows} rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{used} sheets of {given}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

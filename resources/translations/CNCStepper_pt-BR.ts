@@ -15428,6 +15428,10 @@ altura</translation>
             <translation>um arquivo que {what} nomeia</translation>
         </message>
         <message>
+            <source>a strip</source>
+            <translation>uma faixa</translation>
+        </message>
+        <message>
             <source>a subroutine that is called</source>
             <translation>uma sub-rotina que é chamada</translation>
         </message>
@@ -15442,6 +15446,14 @@ altura</translation>
         <message>
             <source>at most {notes} parts</source>
             <translation>no máximo {notes} peças</translation>
+        </message>
+        <message>
+            <source>checking</source>
+            <translation>verificando</translation>
+        </message>
+        <message>
+            <source>checking {name}</source>
+            <translation>verificando {name}</translation>
         </message>
         <message>
             <source>circle of {diameter:g} mm at {feed:g} mm/min: done</source>
@@ -15486,8 +15498,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>contorno  linha  operação              começa em                        comprimento</translation>
         </message>
         <message>
+            <source>converting {name}</source>
+            <translation>convertendo {name}</translation>
+        </message>
+        <message>
             <source>cut {cut:.1f} mm, in air {air:.1f} mm, rapid {rapid:.1f} mm, pierces {pierces}{removed}</source>
             <translation>corte {cut:.1f} mm, no ar {air:.1f} mm, rápido {rapid:.1f} mm, perfurações {pierces}{removed}</translation>
+        </message>
+        <message>
+            <source>cutting the stock by</source>
+            <translation>cortando o bruto com</translation>
         </message>
         <message>
             <source>default: {default}</source>
@@ -15578,8 +15598,32 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não são três números em mm com ponto decimal, como 100,70,20</translation>
         </message>
         <message>
+            <source>judging the part of</source>
+            <translation>julgando a peça de</translation>
+        </message>
+        <message>
             <source>letters: one a pulse. board: a byte a pulse, four motors. coils: time and wires of each motor. parport: time, data and control register. csv: time and positions. vcd: every edge, for GTKWave or PulseView.</source>
             <translation>letters: uma por pulso. board: um byte por pulso, quatro motores. coils: tempo e fios de cada motor. parport: tempo, registradores de dados e de controle. csv: tempo e posições. vcd: cada borda, para GTKWave ou PulseView.</translation>
+        </message>
+        <message>
+            <source>looking at {name}</source>
+            <translation>examinando {name}</translation>
+        </message>
+        <message>
+            <source>making and proving</source>
+            <translation>criando e provando</translation>
+        </message>
+        <message>
+            <source>making the programs of {name}</source>
+            <translation>gerando os programas de {name}</translation>
+        </message>
+        <message>
+            <source>making the shapes of</source>
+            <translation>gerando as formas de</translation>
+        </message>
+        <message>
+            <source>making {name}</source>
+            <translation>gerando {name}</translation>
         </message>
         <message>
             <source>mm of an STL's unit.</source>
@@ -15588,6 +15632,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>name one with --contour, or give --line, --operation or --at</source>
             <translation>escolha um com --contour, ou dê --line, --operation ou --at</translation>
+        </message>
+        <message>
+            <source>nesting</source>
+            <translation>aninhando</translation>
         </message>
         <message>
             <source>nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far</source>
@@ -15638,6 +15686,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>caminho</translation>
         </message>
         <message>
+            <source>proving {name}</source>
+            <translation>provando {name}</translation>
+        </message>
+        <message>
             <source>pulse letters have no certificate: they are checked when they are sent</source>
             <translation>letras de pulso não têm certificado: são verificadas quando são enviadas</translation>
         </message>
@@ -15646,16 +15698,48 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>letras de pulso precisam de --machine</translation>
         </message>
         <message>
+            <source>reading</source>
+            <translation>lendo</translation>
+        </message>
+        <message>
+            <source>reading back</source>
+            <translation>lendo de volta</translation>
+        </message>
+        <message>
+            <source>reading back what was made of</source>
+            <translation>lendo de volta o resultado de</translation>
+        </message>
+        <message>
+            <source>reading {name}</source>
+            <translation>lendo {name}</translation>
+        </message>
+        <message>
+            <source>reading {name}, {read_mb:.0f} MB so far</source>
+            <translation>lendo {name}, {read_mb:.0f} MB até agora</translation>
+        </message>
+        <message>
             <source>refused</source>
             <translation>recusado</translation>
+        </message>
+        <message>
+            <source>reporting on</source>
+            <translation>relatando</translation>
         </message>
         <message>
             <source>required</source>
             <translation>obrigatório</translation>
         </message>
         <message>
+            <source>slicing</source>
+            <translation>fatiando</translation>
+        </message>
+        <message>
             <source>square of {side:g} mm at {feed:g} mm/min: done</source>
             <translation>quadrado de {side:g} mm a {feed:g} mm/min: feito</translation>
+        </message>
+        <message>
+            <source>stepping {name}</source>
+            <translation>calculando os passos de {name}</translation>
         </message>
         <message>
             <source>takes {time_s:.1f} s</source>
@@ -15722,6 +15806,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>isto faz dele um programa para {target}: {command}</translation>
         </message>
         <message>
+            <source>timing</source>
+            <translation>medindo o tempo de</translation>
+        </message>
+        <message>
+            <source>timing {name}</source>
+            <translation>medindo o tempo de {name}</translation>
+        </message>
+        <message>
             <source>touch_off: the operator zeroes each tool, so that lengths are left out. [default: lengths are kept]</source>
             <translation>touch_off: o operador zera cada ferramenta, de modo que os comprimentos são deixados de fora. [padrão: os comprimentos ficam]</translation>
         </message>
@@ -15736,6 +15828,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>what moves the axis? give --screw MM, or --belt MM and --teeth N, or --machine and --axis</source>
             <translation>o que move o eixo? dê --screw MM, ou --belt MM e --teeth N, ou --machine e --axis</translation>
+        </message>
+        <message>
+            <source>writing</source>
+            <translation>escrevendo</translation>
         </message>
         <message>
             <source>{acknowledged} of {total} lines acknowledged in {elapsed_s:.1f} s</source>
@@ -15950,8 +16046,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{sound} de {made} programas, {sound2:.1f} min</translation>
         </message>
         <message>
+            <source>{stage} the restart of {name}</source>
+            <translation>{stage} a retomada de {name}</translation>
+        </message>
+        <message>
             <source>{status}   ~ goes on, stop ends it</source>
             <translation>{status}   ~ continua, stop encerra</translation>
+        </message>
+        <message>
+            <source>{text} (Ctrl+C stops it)</source>
+            <translation>{text} (Ctrl+C interrompe)</translation>
         </message>
         <message>
             <source>{title}: {count} chains</source>
@@ -15964,6 +16068,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{to}: {rows} rows</source>
             <translation>{to}: {rows} linhas</translation>
+        </message>
+        <message>
+            <source>{used} sheets of {given}</source>
+            <translation>{used} chapas de {given}</translation>
         </message>
         <message>
             <source>{value!r} is not a valid boolean. Recognized values: {states}</source>
