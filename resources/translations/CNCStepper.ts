@@ -15411,6 +15411,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a strip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a subroutine that is called</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15424,6 +15428,14 @@ the height</source>
         </message>
         <message>
             <source>at most {notes} parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>checking</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>checking {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15462,7 +15474,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>converting {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut {cut:.1f} mm, in air {air:.1f} mm, rapid {rapid:.1f} mm, pierces {pierces}{removed}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cutting the stock by</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15554,7 +15574,31 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>judging the part of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>letters: one a pulse. board: a byte a pulse, four motors. coils: time and wires of each motor. parport: time, data and control register. csv: time and positions. vcd: every edge, for GTKWave or PulseView.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>looking at {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making and proving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making the programs of {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making the shapes of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15563,6 +15607,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>name one with --contour, or give --line, --operation or --at</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nesting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15614,6 +15662,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>proving {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pulse letters have no certificate: they are checked when they are sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15622,7 +15674,31 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading back what was made of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading {name}, {read_mb:.0f} MB so far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reporting on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15630,7 +15706,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>slicing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>square of {side:g} mm at {feed:g} mm/min: done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stepping {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15698,6 +15782,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>timing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>timing {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>touch_off: the operator zeroes each tool, so that lengths are left out. [default: lengths are kept]</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15711,6 +15803,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>what moves the axis? give --screw MM, or --belt MM and --teeth N, or --machine and --axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>writing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15926,7 +16022,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{stage} the restart of {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{status}   ~ goes on, stop ends it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{text} (Ctrl+C stops it)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15939,6 +16043,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{to}: {rows} rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{used} sheets of {given}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18365,6 +18473,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>after z {z:.6g} mm let z never rise along it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>all before line {first_line} is cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18669,6 +18781,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>at z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>at {place} mm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18874,6 +18990,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>boring takes a tool for the inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21433,6 +21553,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave out what follows z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave part = "holes" out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22041,6 +22165,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move its point at z {z:.6g} mm, radius {r:.6g} mm there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22353,6 +22481,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no insert reaches both its walls: cut it with a blade of {width:.4g} mm or narrower, {deep:.4g} mm deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no jet is driven by more than 10 kbar</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22530,6 +22662,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>no torch or wire draws more than 10 kA</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no usual insert fits between its walls: it must fill {room:.4g} deg or less; draw them less steep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28021,6 +28157,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>threading {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28202,6 +28342,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>turning counter-clockwise (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28397,6 +28541,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a left-hand insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a longer drill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28410,10 +28558,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>use a mill, or lift the drill before it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>use a more pointed insert or a groove</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28497,15 +28641,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use an insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use another blade</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use another holder</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>use another insert or holder</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29401,6 +29545,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>z {z:.6g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>zero of</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29610,6 +29762,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{count} paths are damaged and read up to the damage</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} points fewer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29966,6 +30122,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{length} characters, {text} with spaces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -15428,6 +15428,10 @@ altura</translation>
             <translation>um arquivo que {what} nomeia</translation>
         </message>
         <message>
+            <source>a strip</source>
+            <translation>uma faixa</translation>
+        </message>
+        <message>
             <source>a subroutine that is called</source>
             <translation>uma sub-rotina que é chamada</translation>
         </message>
@@ -15442,6 +15446,14 @@ altura</translation>
         <message>
             <source>at most {notes} parts</source>
             <translation>no máximo {notes} peças</translation>
+        </message>
+        <message>
+            <source>checking</source>
+            <translation>verificando</translation>
+        </message>
+        <message>
+            <source>checking {name}</source>
+            <translation>verificando {name}</translation>
         </message>
         <message>
             <source>circle of {diameter:g} mm at {feed:g} mm/min: done</source>
@@ -15486,8 +15498,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>contorno  linha  operação              começa em                        comprimento</translation>
         </message>
         <message>
+            <source>converting {name}</source>
+            <translation>convertendo {name}</translation>
+        </message>
+        <message>
             <source>cut {cut:.1f} mm, in air {air:.1f} mm, rapid {rapid:.1f} mm, pierces {pierces}{removed}</source>
             <translation>corte {cut:.1f} mm, no ar {air:.1f} mm, rápido {rapid:.1f} mm, perfurações {pierces}{removed}</translation>
+        </message>
+        <message>
+            <source>cutting the stock by</source>
+            <translation>cortando o bruto com</translation>
         </message>
         <message>
             <source>default: {default}</source>
@@ -15578,8 +15598,32 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não são três números em mm com ponto decimal, como 100,70,20</translation>
         </message>
         <message>
+            <source>judging the part of</source>
+            <translation>julgando a peça de</translation>
+        </message>
+        <message>
             <source>letters: one a pulse. board: a byte a pulse, four motors. coils: time and wires of each motor. parport: time, data and control register. csv: time and positions. vcd: every edge, for GTKWave or PulseView.</source>
             <translation>letters: uma por pulso. board: um byte por pulso, quatro motores. coils: tempo e fios de cada motor. parport: tempo, registradores de dados e de controle. csv: tempo e posições. vcd: cada borda, para GTKWave ou PulseView.</translation>
+        </message>
+        <message>
+            <source>looking at {name}</source>
+            <translation>examinando {name}</translation>
+        </message>
+        <message>
+            <source>making and proving</source>
+            <translation>criando e provando</translation>
+        </message>
+        <message>
+            <source>making the programs of {name}</source>
+            <translation>gerando os programas de {name}</translation>
+        </message>
+        <message>
+            <source>making the shapes of</source>
+            <translation>gerando as formas de</translation>
+        </message>
+        <message>
+            <source>making {name}</source>
+            <translation>gerando {name}</translation>
         </message>
         <message>
             <source>mm of an STL's unit.</source>
@@ -15588,6 +15632,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>name one with --contour, or give --line, --operation or --at</source>
             <translation>escolha um com --contour, ou dê --line, --operation ou --at</translation>
+        </message>
+        <message>
+            <source>nesting</source>
+            <translation>aninhando</translation>
         </message>
         <message>
             <source>nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far</source>
@@ -15638,6 +15686,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>caminho</translation>
         </message>
         <message>
+            <source>proving {name}</source>
+            <translation>provando {name}</translation>
+        </message>
+        <message>
             <source>pulse letters have no certificate: they are checked when they are sent</source>
             <translation>letras de pulso não têm certificado: são verificadas quando são enviadas</translation>
         </message>
@@ -15646,16 +15698,48 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>letras de pulso precisam de --machine</translation>
         </message>
         <message>
+            <source>reading</source>
+            <translation>lendo</translation>
+        </message>
+        <message>
+            <source>reading back</source>
+            <translation>lendo de volta</translation>
+        </message>
+        <message>
+            <source>reading back what was made of</source>
+            <translation>lendo de volta o resultado de</translation>
+        </message>
+        <message>
+            <source>reading {name}</source>
+            <translation>lendo {name}</translation>
+        </message>
+        <message>
+            <source>reading {name}, {read_mb:.0f} MB so far</source>
+            <translation>lendo {name}, {read_mb:.0f} MB até agora</translation>
+        </message>
+        <message>
             <source>refused</source>
             <translation>recusado</translation>
+        </message>
+        <message>
+            <source>reporting on</source>
+            <translation>relatando</translation>
         </message>
         <message>
             <source>required</source>
             <translation>obrigatório</translation>
         </message>
         <message>
+            <source>slicing</source>
+            <translation>fatiando</translation>
+        </message>
+        <message>
             <source>square of {side:g} mm at {feed:g} mm/min: done</source>
             <translation>quadrado de {side:g} mm a {feed:g} mm/min: feito</translation>
+        </message>
+        <message>
+            <source>stepping {name}</source>
+            <translation>calculando os passos de {name}</translation>
         </message>
         <message>
             <source>takes {time_s:.1f} s</source>
@@ -15722,6 +15806,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>isto faz dele um programa para {target}: {command}</translation>
         </message>
         <message>
+            <source>timing</source>
+            <translation>medindo o tempo de</translation>
+        </message>
+        <message>
+            <source>timing {name}</source>
+            <translation>medindo o tempo de {name}</translation>
+        </message>
+        <message>
             <source>touch_off: the operator zeroes each tool, so that lengths are left out. [default: lengths are kept]</source>
             <translation>touch_off: o operador zera cada ferramenta, de modo que os comprimentos são deixados de fora. [padrão: os comprimentos ficam]</translation>
         </message>
@@ -15736,6 +15828,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>what moves the axis? give --screw MM, or --belt MM and --teeth N, or --machine and --axis</source>
             <translation>o que move o eixo? dê --screw MM, ou --belt MM e --teeth N, ou --machine e --axis</translation>
+        </message>
+        <message>
+            <source>writing</source>
+            <translation>escrevendo</translation>
         </message>
         <message>
             <source>{acknowledged} of {total} lines acknowledged in {elapsed_s:.1f} s</source>
@@ -15950,8 +16046,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{sound} de {made} programas, {sound2:.1f} min</translation>
         </message>
         <message>
+            <source>{stage} the restart of {name}</source>
+            <translation>{stage} a retomada de {name}</translation>
+        </message>
+        <message>
             <source>{status}   ~ goes on, stop ends it</source>
             <translation>{status}   ~ continua, stop encerra</translation>
+        </message>
+        <message>
+            <source>{text} (Ctrl+C stops it)</source>
+            <translation>{text} (Ctrl+C interrompe)</translation>
         </message>
         <message>
             <source>{title}: {count} chains</source>
@@ -15964,6 +16068,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{to}: {rows} rows</source>
             <translation>{to}: {rows} linhas</translation>
+        </message>
+        <message>
+            <source>{used} sheets of {given}</source>
+            <translation>{used} chapas de {given}</translation>
         </message>
         <message>
             <source>{value!r} is not a valid boolean. Recognized values: {states}</source>
@@ -18389,6 +18497,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>depois de uma parada o primeiro movimento nomeia todos os seus eixos, em um só trajeto reto: deixe a máquina acima da peça</translation>
         </message>
         <message>
+            <source>after z {z:.6g} mm let z never rise along it</source>
+            <translation>depois de z {z:.6g} mm não deixe z subir ao longo dele</translation>
+        </message>
+        <message>
             <source>all before line {first_line} is cut</source>
             <translation>tudo antes da linha {first_line} está cortado</translation>
         </message>
@@ -18693,6 +18805,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>em z {0} mm, raio {1} mm</translation>
         </message>
         <message>
+            <source>at z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation>em z {z:.6g} mm, raio {r:.6g} mm</translation>
+        </message>
+        <message>
             <source>at {place} mm</source>
             <translation>em {place} mm</translation>
         </message>
@@ -18899,6 +19015,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>boring takes a tool for the inside</source>
             <translation>o mandrilamento usa uma ferramenta interna</translation>
+        </message>
+        <message>
+            <source>boring {name}</source>
+            <translation>{name} de mandrilar</translation>
         </message>
         <message>
             <source>both radii must be positive</source>
@@ -21457,6 +21577,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>omitir</translation>
         </message>
         <message>
+            <source>leave out what follows z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation>omita o que segue z {z:.6g} mm, raio {r:.6g} mm</translation>
+        </message>
+        <message>
             <source>leave part = "holes" out</source>
             <translation>deixe part = "holes" fora</translation>
         </message>
@@ -22065,6 +22189,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desloque-a {in_mm:.3f} mm para dentro, ou use uma chapa maior</translation>
         </message>
         <message>
+            <source>move its point at z {z:.6g} mm, radius {r:.6g} mm there</source>
+            <translation>mova para lá o seu ponto em z {z:.6g} mm, raio {r:.6g} mm</translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation>mova um dos cantos</translation>
         </message>
@@ -22377,6 +22505,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhuma entrada pode ser lida</translation>
         </message>
         <message>
+            <source>no insert reaches both its walls: cut it with a blade of {width:.4g} mm or narrower, {deep:.4g} mm deep</source>
+            <translation>nenhuma pastilha alcança as duas paredes: corte com um bedame de {width:.4g} mm ou mais estreito, a {deep:.4g} mm de profundidade</translation>
+        </message>
+        <message>
             <source>no jet is driven by more than 10 kbar</source>
             <translation>nenhum jato trabalha com mais de 10 kbar</translation>
         </message>
@@ -22555,6 +22687,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>no torch or wire draws more than 10 kA</source>
             <translation>nenhuma tocha ou fio puxa mais de 10 kA</translation>
+        </message>
+        <message>
+            <source>no usual insert fits between its walls: it must fill {room:.4g} deg or less; draw them less steep</source>
+            <translation>nenhuma pastilha usual cabe entre as paredes: ela deve ocupar {room:.4g} graus ou menos; desenhe-as menos íngremes</translation>
         </message>
         <message>
             <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
@@ -28045,6 +28181,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>roscar</translation>
         </message>
         <message>
+            <source>threading {name}</source>
+            <translation>{name} de roscar</translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation>roscas só podem ser cortadas no plano ZX</translation>
         </message>
@@ -28227,6 +28367,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>turning counter-clockwise (M4)</source>
             <translation>girando no sentido anti-horário (M4)</translation>
+        </message>
+        <message>
+            <source>turning {name}</source>
+            <translation>{name} de tornear</translation>
         </message>
         <message>
             <source>twice the holes' distance from it</source>
@@ -28421,6 +28565,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use uma fresa de topo reto</translation>
         </message>
         <message>
+            <source>use a left-hand insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation>use uma pastilha à esquerda {shape} ({nose:g} graus) com ângulo de posição de {low:.4g} a {high:.4g} graus</translation>
+        </message>
+        <message>
             <source>use a longer drill</source>
             <translation>use uma broca mais longa</translation>
         </message>
@@ -28435,10 +28583,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>use a mill, or lift the drill before it</source>
             <translation>use uma fresa, ou levante a broca antes disso</translation>
-        </message>
-        <message>
-            <source>use a more pointed insert or a groove</source>
-            <translation>use uma pastilha mais aguda ou um canal</translation>
         </message>
         <message>
             <source>use a name of your own</source>
@@ -28521,16 +28665,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use uma pastilha desse passo</translation>
         </message>
         <message>
+            <source>use an insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation>use uma pastilha {shape} ({nose:g} graus) com ângulo de posição de {low:.4g} a {high:.4g} graus</translation>
+        </message>
+        <message>
             <source>use another blade</source>
             <translation>use outro bedame</translation>
         </message>
         <message>
             <source>use another holder</source>
             <translation>use outro suporte</translation>
-        </message>
-        <message>
-            <source>use another insert or holder</source>
-            <translation>use outra pastilha ou outro suporte</translation>
         </message>
         <message>
             <source>use another tool</source>
@@ -29425,6 +29569,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>z {0} mm no máximo</translation>
         </message>
         <message>
+            <source>z {z:.6g} mm</source>
+            <translation>z {z:.6g} mm</translation>
+        </message>
+        <message>
+            <source>z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation>z {z:.6g} mm, raio {r:.6g} mm</translation>
+        </message>
+        <message>
             <source>zero of</source>
             <translation>zero de</translation>
         </message>
@@ -29635,6 +29787,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation>{count} caminhos estão danificados e são lidos até o dano</translation>
+        </message>
+        <message>
+            <source>{count} points fewer</source>
+            <translation>{count} pontos a menos</translation>
         </message>
         <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
@@ -29991,6 +30147,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{length} characters, {text} with spaces</source>
             <translation>{length} caracteres, {text} com espaços</translation>
+        </message>
+        <message>
+            <source>{letter} above 0</source>
+            <translation>{letter} acima de 0</translation>
         </message>
         <message>
             <source>{letter} and {axis} are the same axis</source>

@@ -19,6 +19,7 @@ if INSIDE:
     from CNCStepper.workbench.calculation import kernel_warmup
     from window_helpers import touches, window_kinds
     from window_helpers.hand import PICTURES, Hand
+    from window_helpers.twin import Twin
 
     KERNELS_S = 540  # so long may the kernels take to be compiled, on a busy machine
 
@@ -46,6 +47,19 @@ if INSIDE:
         Path(os.environ["CNCSTEPPER_WINDOW_STATUS"]).with_name(window_kinds.READY).touch()
         yield hand
         hand.main(hand.touches.save, PICTURES / touches.FILE)
+
+    @pytest.fixture
+    def twins(tmp_path: Path) -> Iterator[Any]:
+        """What starts a virtual machine of a kind; all are ended."""
+        started: list[Twin] = []
+
+        def start(kind: str, *options: str) -> Twin:
+            started.append(Twin(kind, tmp_path, *options))
+            return started[-1]
+
+        yield start
+        for twin in started:
+            twin.end()
 
     @pytest.fixture
     def hand(the_hand: Hand) -> Hand:

@@ -9,6 +9,9 @@ import time
 from types import TracebackType
 from typing import TextIO
 
+from CNCStepper.cli.common.language import translated
+from CNCStepper.errors import Text
+
 PATIENCE_S = 1.0
 AGAIN_S = 0.2
 LOG_EVERY_S = 10.0  # where the stream is no terminal, such as a file or the log of a build
@@ -52,9 +55,9 @@ class Progress:
         wait_s = self._patience_s
         while not self._over.wait(wait_s):
             share = f" {self._share:.0%}" if self._share else ""
-            text = f"{self._doing}:{share} {time.monotonic() - self._begun_s:.0f} s"
+            text = f"{translated(self._doing)}:{share} {time.monotonic() - self._begun_s:.0f} s"
             if self._is_terminal:
-                self._write(f"{text} (Ctrl+C stops it)")
+                self._write(translated(Text("{text} (Ctrl+C stops it)", text=text)))
             else:
                 print(text, file=self._stream, flush=True)
             wait_s = AGAIN_S if self._is_terminal else LOG_EVERY_S

@@ -65,7 +65,7 @@ class EditorBar(QtGui.QWidget):
         """Offer the machines for a file; an object's machine is its job's."""
         from CNCStepper.machine.profile import profile_names
 
-        self._machines.setVisible(not hasattr(source, "obj"))
+        self._machines.setVisible(source.obj is None)
         if not self._machines.count():
             self._machines.addItems(profile_names())
             self._machines.setCurrentText(FIRST_MACHINE)

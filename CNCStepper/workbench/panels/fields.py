@@ -356,7 +356,27 @@ class CheckField(Field):
 
 
 class ChoiceBox(QtGui.QComboBox):
-    """A box whose open list is as wide as its longest choice."""
+    """A box whose open list is as wide as its longest choice, and that shows where its own text goes on."""
+
+    def shown_text(self) -> str:
+        """Return its text as it is shown, with "…" where the box is too narrow."""
+        option = self._option()
+        styled = QtGui.QStyle.ComplexControl.CC_ComboBox, option, QtGui.QStyle.SubControl.SC_ComboBoxEditField
+        room = self.style().subControlRect(*styled, self).width()
+        return str(self.fontMetrics().elidedText(option.currentText, QtCore.Qt.TextElideMode.ElideRight, room))
+
+    def paintEvent(self, event: Any) -> None:
+        """Draw it; Qt calls this."""
+        painter, option = QtGui.QStylePainter(self), self._option()
+        option.currentText = self.shown_text()
+        painter.drawComplexControl(QtGui.QStyle.ComplexControl.CC_ComboBox, option)
+        painter.drawControl(QtGui.QStyle.ControlElement.CE_ComboBoxLabel, option)
+        painter.end()
+
+    def _option(self) -> Any:
+        option = QtGui.QStyleOptionComboBox()
+        self.initStyleOption(option)
+        return option
 
     def showPopup(self) -> None:
         """Open the list; Qt calls this."""

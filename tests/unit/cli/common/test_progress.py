@@ -16,10 +16,12 @@ from click.testing import CliRunner
 
 from CNCStepper.cli import job_file
 from CNCStepper.cli.common import progress as progress_module
+from CNCStepper.cli.common.language import OVERRIDE
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.editing import convert as convert_verb
 from CNCStepper.cli.main import group
 from CNCStepper.cli.program import check
+from CNCStepper.errors import Text
 from CNCStepper.gcode.conversion import convert
 from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.gcode.interpreter.fast_path import text_runs
@@ -59,6 +61,14 @@ def test_a_terminal_hears_what_is_done_and_how_far_it_is_and_is_left_clean() -> 
         assert terminal.said.wait(30)
     last = terminal.getvalue().split("\r")[-2:]
     assert last[1] == "" and not last[0].strip() and len(last[0]) >= len("timing: 50%")
+
+
+def test_a_stage_is_shown_in_the_language_of_the_locale(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(OVERRIDE, "pt")
+    terminal = Terminal("lendo de volta a.nc: 0 s (Ctrl+C interrompe)")
+    stage = Text("{stage} {name}", stage=check.STAGES["read"], name="a.nc")
+    with Progress(stage, terminal, patience_s=0.01):
+        assert terminal.said.wait(30), terminal.getvalue()
 
 
 def test_who_is_quick_says_nothing() -> None:
