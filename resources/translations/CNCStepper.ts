@@ -15534,6 +15534,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>compiling the kernels, once for this computer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>contour   line   operation             begins at                        length</source>
             <translation type="unfinished"></translation>
         </message>

@@ -15558,6 +15558,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>cncstepper: {sentence}; Ctrl+C o encerra</translation>
         </message>
         <message>
+            <source>compiling the kernels, once for this computer</source>
+            <translation>compilando os núcleos de cálculo, uma vez neste computador</translation>
+        </message>
+        <message>
             <source>contour   line   operation             begins at                        length</source>
             <translation>contorno  linha  operação              começa em                        comprimento</translation>
         </message>

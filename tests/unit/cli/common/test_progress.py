@@ -14,6 +14,7 @@ import ezdxf
 import pytest
 from click.testing import CliRunner
 
+from CNCStepper import kernel_cache
 from CNCStepper.cli import job_file
 from CNCStepper.cli.common import progress as progress_module
 from CNCStepper.cli.common.language import OVERRIDE
@@ -65,10 +66,11 @@ def test_a_terminal_hears_what_is_done_and_how_far_it_is_and_is_left_clean() -> 
 
 def test_a_stage_is_shown_in_the_language_of_the_locale(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(OVERRIDE, "pt")
-    terminal = Terminal("lendo de volta a.nc: 0 s (Ctrl+C interrompe)")
+    terminal = Terminal("(Ctrl+C interrompe)")
     stage = Text("{stage} {name}", stage=check.STAGES["read"], name="a.nc")
     with Progress(stage, terminal, patience_s=0.01):
         assert terminal.said.wait(30), terminal.getvalue()
+    assert "lendo de volta a.nc: 0 s" in terminal.getvalue()
 
 
 def test_who_is_quick_says_nothing() -> None:
@@ -93,6 +95,17 @@ def test_a_file_gets_a_line_now_and_then(monkeypatch: pytest.MonkeyPatch) -> Non
 def test_every_stage_has_its_words() -> None:
     assert tuple(check.STAGES) == STAGES
     assert tuple(convert_verb.STAGES) == convert.STAGES
+
+
+def test_a_first_run_says_that_kernels_are_compiled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(kernel_cache.VARIABLE, str(tmp_path))
+    monkeypatch.setattr(kernel_cache, "folder", lambda: tmp_path)
+    (kernel := tmp_path / "geometry").mkdir()
+    terminal = Terminal("s, compiling the kernels")
+    with Progress("reading", terminal, patience_s=0.01):
+        assert terminal.said.wait(30)
+    os.utime(kernel, (0, 0))
+    assert not kernel_cache.has_grown(progress_module.COMPILED_S)
 
 
 def zigzag(tmp_path: Path) -> Path:
