@@ -20,6 +20,7 @@ from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.editor.edit_menu import VERBS
 from CNCStepper.workbench.editor.panel import EditorPanel
 from CNCStepper.workbench.editor.window import docks
+from CNCStepper.workbench.services import theme_colours
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
@@ -393,10 +394,12 @@ def test_a_dark_theme_has_colours_of_its_own(hand: Hand, tmp_path: Path) -> None
     try:
         hand.main(window.setStyleSheet, dark)
         hand.wait(lambda: panel.edit.colours is not light, 5)
+        hand.wait(lambda: theme_colours.letters(theme_colours.ERROR) != theme_colours.ERROR, 5, "the lighter letters")
         hand.shot("editor-dark")
     finally:
         hand.main(window.setStyleSheet, before)
     hand.wait(lambda: panel.edit.colours is light, 5)
+    assert not hand.main(theme_colours.is_dark)
 
 
 def test_a_tooltip_says_why(hand: Hand, tmp_path: Path) -> None:
