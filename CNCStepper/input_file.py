@@ -13,6 +13,7 @@ import io
 import os
 import re
 import stat
+from collections.abc import Iterator
 from pathlib import Path
 
 from CNCStepper.errors import CNCStepperError, JobError, Place, Text
@@ -69,12 +70,23 @@ def read_input(
     streams: whether "-", "/dev/stdin" and "/dev/fd/N" may name a pipe, which is then read to its end. Raises `refusal`
     with the code input-missing, input-kind, input-large or input-unreadable, which names the file.
     """
+    return b"".join(input_chunks(path, most_bytes, streams=streams, refusal=refusal))
+
+
+def input_chunks(
+    path: str | Path,
+    most_bytes: int = MOST_TEXT_BYTES,
+    *,
+    streams: bool = False,
+    refusal: type[CNCStepperError] = JobError,
+) -> Iterator[bytes]:
+    """Yield the bytes that `read_input` returns in pieces of at most CHUNK_BYTES; the file is closed after the last."""
     name = str(path)
     try:
         with open(_opened(name, streams, refusal), "rb", buffering=0) as file:
             if (size_bytes := os.fstat(file.fileno()).st_size) > most_bytes:  # 0 for a stream
                 raise _too_large(name, size_bytes, most_bytes, refusal)
-            return _bounded(file, name, most_bytes, refusal)
+            yield from _bounded(file, name, most_bytes, refusal)
     except (OSError, ValueError) as error:  # ValueError: a name with a zero byte
         if isinstance(error, CNCStepperError):
             raise
@@ -113,15 +125,14 @@ def _opened(name: str, streams: bool, refusal: type[CNCStepperError]) -> int:
     return handle
 
 
-def _bounded(file: io.FileIO, name: str, most_bytes: int, refusal: type[CNCStepperError]) -> bytes:
-    """Return all that the file gives; raises for more than `most_bytes`, also of a file that grows meanwhile."""
-    pieces, total = [], 0
+def _bounded(file: io.FileIO, name: str, most_bytes: int, refusal: type[CNCStepperError]) -> Iterator[bytes]:
+    """Yield all that the file gives; raises for more than `most_bytes`, also of a file that grows meanwhile."""
+    total = 0
     while piece := file.read(CHUNK_BYTES):
         total += len(piece)
         if total > most_bytes:
             raise _too_large(name, total, most_bytes, refusal)
-        pieces.append(piece)
-    return b"".join(pieces)
+        yield piece
 
 
 def _wrong_kind(name: str, kind: str, refusal: type[CNCStepperError]) -> CNCStepperError:

@@ -9,6 +9,7 @@ import os
 import platform
 import shutil
 import sys
+import time
 from collections.abc import Collection, Iterator
 from pathlib import Path
 
@@ -75,6 +76,14 @@ def stamp() -> Path:
     version = f"{sys.version_info[0]}.{sys.version_info[1]}"
     numba = importlib.metadata.version("numba")
     return folder() / f"warm-{digest()}-py{version}-numba{numba}-{platform.machine()}"
+
+
+def has_grown(within_s: float) -> bool:
+    """Return whether a kernel was compiled within the last seconds, by this process or by another one."""
+    if VARIABLE not in os.environ or not folder().is_dir():  # numba is not loaded, or has kept nothing yet
+        return False
+    newest_ns = max((path.stat().st_mtime_ns for path in folder().iterdir()), default=0)
+    return time.time_ns() - newest_ns < within_s * 1e9
 
 
 def _prune(root: Path) -> None:

@@ -51,6 +51,7 @@ LEAD_ROUNDING_MM = 0.002  # what flattened outlines and rounding may add to the 
 SAME_TEXT_RADIUS = 0.01  # radii of an arc at its two ends for cutter compensation, in units of the text
 CUT_TOUCHES_MM = 0.02  # a face of a sheet belongs to a cut whose band comes so near
 SAME_PASS_MM = 0.05  # a pass of a jet begins where the one before did
+SAME_PATH_MM = 0.02  # places of two compared tool paths: arcs and the chords that CAM programs make of them are one
 SAME_CROSSING_MM = 0.01  # crossings of a drawing that are reported as one
 PICKED_MM = 0.01  # pieces of a path that are as near to a picked point as that lie above each other
 SAME_EDGE_DEG = 0.01  # an insert's edge and a wall of a profile that it just reaches

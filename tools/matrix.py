@@ -4,9 +4,10 @@
 What is asked for on the command line (versions) is all that runs, three runs on two cores: each waits part of its time
 for machines, screens and answers. What each says is printed when it has ended, and stays in build/matrix. It goes on to
 the end whatever fails. Tests in a window that failed beside another window are then run once more, alone, in a FreeCAD
-of their own: a fault is there again, a shared core is not. At last a table says what failed, and the exit status is 0
-only when all of it passed. The system's FreeCAD is used where it is the version that is asked for, and runs too when it
-is none of them; the others are set up once for all checkouts of a user (freecad_root.sh).
+of their own: a fault is there again, a shared core is not. At last a table says what failed, and a list what no test
+has clicked in the system's FreeCAD. The exit status is 0 only when all of it passed. The system's FreeCAD is used where
+it is the version that is asked for, and runs too when it is none of them; the others are set up once for all checkouts
+of a user (freecad_root.sh).
 """
 
 from __future__ import annotations
@@ -26,6 +27,9 @@ from pathlib import Path
 from typing import IO
 
 ROOT = Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT / "tests"))
+from window_helpers import touches  # noqa: E402
+
 VERSIONS = ("0.20.2", "1.0.0", "1.1.3")  # from old to new: each opens the documents of those before it
 SET_UP, DOCUMENTS, HEADLESS, TIMED, EMPTY_HOME = "set up", "documents", "headless", "timed", "empty home"
 KINDS = ("plain", "scaled", "portuguese", "bare", TIMED)
@@ -74,6 +78,8 @@ def main(versions: list[str]) -> int:
         for row in rows.values():
             run_failed_alone(row, "host" if row.version == at_system else row.version)
     print_table(list(rows.values()))
+    if at_system in rows:
+        print_unclicked(touches.untouched(touches.files("host")))
     return 0 if all(row.good for row in rows.values()) else 1
 
 
@@ -238,6 +244,11 @@ def window(where: str, kind: str, environment: dict[str, str], log: IO[str], tes
     command = [str(ROOT / "tools" / "window.sh"), where, kind, *tests]
     variables = {**os.environ, **environment}
     return subprocess.run(command, cwd=ROOT, env=variables, stdout=log, stderr=log).returncode == 0
+
+
+def print_unclicked(left: Sequence[str]) -> None:
+    """Print each button, field and menu entry that a window has shown and no test has clicked."""
+    heading("without a click of a test", "".join(f"{name}\n" for name in left or ["nothing"]))
 
 
 def heading(text: str, below: str = "") -> None:

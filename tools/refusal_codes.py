@@ -23,6 +23,8 @@ sys.path.append(str(ROOT / "tools"))
 import translations  # noqa: E402
 
 FINDING = "Finding"  # of a check
+ROOT_ERROR = "CNCStepperError"
+NAMED_FIRST = "MissingPackage"  # whose code begins with a package's name
 CODE = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 HANDED_ON = 3  # so many functions may hand a code on to each other
 SELF = ("self", "cls")
@@ -53,11 +55,12 @@ class Carrier:
 
 @dataclass(frozen=True)
 class Source:
-    """A module: its path, its calls by name, each with the function around it, and its constants."""
+    """A module: its path, its calls by name, each with the function around it, its constants, its classes."""
 
     path: str
     calls: dict[str, list[tuple[ast.Call, ast.FunctionDef | None]]]
     constants: dict[str, ast.expr]
+    classes: dict[str, set[str]]
 
 
 def sources(folder: Path = ROOT / "CNCStepper") -> list[Source]:
@@ -78,7 +81,13 @@ def source_of(path: Path) -> Source:
     calls: dict[str, list[tuple[ast.Call, ast.FunctionDef | None]]] = defaultdict(list)
     for call, around in calls_in(tree):
         calls[last_name(call)].append((call, around))
-    return Source(path.relative_to(ROOT).as_posix(), calls, constants)
+    classes = {node.name: base_names(node) for node in ast.walk(tree) if isinstance(node, ast.ClassDef)}
+    return Source(path.relative_to(ROOT).as_posix(), calls, constants, classes)
+
+
+def base_names(node: ast.ClassDef) -> set[str]:
+    """Return the names of the classes that a class derives from, without their modules."""
+    return {base.id if isinstance(base, ast.Name) else getattr(base, "attr", "") for base in node.bases}
 
 
 def last_name(call: ast.Call) -> str:
@@ -98,17 +107,13 @@ def calls_in(tree: ast.AST) -> Iterator[tuple[ast.Call, ast.FunctionDef | None]]
         waiting.extend((child, inside) for child in reversed(list(ast.iter_child_nodes(node))))
 
 
-def error_classes() -> set[str]:
-    """Return the names of the classes of our errors."""
-    from CNCStepper import errors
-
-    classes = {name for name, one in vars(errors).items() if is_error(one, errors.CNCStepperError)}
-    return (classes | {"NoScrap", "Unfitted", "OutputError"}) - {"MissingPackage"}  # which has a package's name first
-
-
-def is_error(one: object, root: type) -> bool:
-    """Return whether something is a class of our errors."""
-    return isinstance(one, type) and issubclass(one, root)
+def error_classes(modules: Iterable[Source]) -> set[str]:
+    """Return the names of the classes of our errors, wherever they are declared."""
+    bases = {name: of for module in modules for name, of in module.classes.items()}
+    found = {ROOT_ERROR}
+    while more := {name for name, of in bases.items() if of & found} - found:
+        found |= more
+    return found - {NAMED_FIRST}
 
 
 def is_telling(refusal: Refusal) -> bool:
@@ -253,4 +258,5 @@ def parameter(names: list[str], name: str) -> tuple[int, str]:
 @functools.cache
 def refusals() -> dict[str, Refusal]:
     """Return all refusals of the package by their codes; they are read once in a process, which takes seconds."""
-    return Reader(sources(), error_classes()).read()
+    modules = sources()
+    return Reader(modules, error_classes(modules)).read()

@@ -65,6 +65,7 @@ NO_SENTENCES = {
     "picture.py",
     "picture_style.py",
     "drawing_picture.py",
+    "comparison_picture.py",
     "svg_writer.py",
     "readings_plot.py",
     "path_commands.py",

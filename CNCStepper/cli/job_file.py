@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from CNCStepper.cli.common.progress import Progress
+from CNCStepper.errors import Text
 
 if TYPE_CHECKING:
     from CNCStepper.job.model import Job
@@ -38,7 +39,7 @@ def job_of(path: Path) -> Job:
     """Return the job of a file, without looking for its machine."""
     from CNCStepper.job.model import read_job
 
-    with Progress(f"reading {path.name}") as progress:
+    with Progress(Text("reading {name}", name=path.name)) as progress:
         return read_job(path, progress.share)
 
 
@@ -46,5 +47,5 @@ def job_and_machine(path: Path) -> tuple[Job, Machine]:
     """Return the job of a file and its machine."""
     from CNCStepper.job.model import load_job
 
-    with Progress(f"reading {path.name}") as progress:
+    with Progress(Text("reading {name}", name=path.name)) as progress:
         return load_job(path, progress.share)

@@ -35,6 +35,7 @@ FAMILIES = {  # folder of the verbs' modules: title in the help, and its verbs
             "time": "Print the seconds that a program takes.",
             "steps": "Write every step of a program: letters, bytes, port writes, edges.",
             "simulate": "Draw the part that a program cuts.",
+            "compare": "Compare the motion of two programs: figures and one picture.",
             "print": "Put a program and its work surface on paper: PDF or HTML.",
             "trace": "Print the canonical calls of a program.",
         },

@@ -18,7 +18,7 @@ import numpy as np
 
 from CNCStepper.drawing.drawing import Attributes, Chain, Piece
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.geometry.curve_bundle import Bundle
+from CNCStepper.geometry.curve_bundle import Bundle, bundles_joined
 
 BLOCK = 4_096  # chains that are made at once where all are gone through
 
@@ -40,6 +40,15 @@ class Names(NamedTuple):
         return Names(self.content, self.begin[rows], self.end[rows])
 
 
+def names_joined(one: Names, other: Names) -> Names:
+    """Return the texts of both, one after the other."""
+    begin, end = (
+        np.concatenate([places, others + len(one.content)]).astype(np.int32)
+        for places, others in ((one.begin, other.begin), (one.end, other.end))
+    )
+    return Names(one.content + other.content, begin, end)
+
+
 class ChainColumns(Sequence[Chain]):
     """Chains, or pieces that are not joined yet, as a sequence; see the module's text."""
 
@@ -47,7 +56,7 @@ class ChainColumns(Sequence[Chain]):
 
     def __init__(self, bundle: Bundle, look: np.ndarray, looks: Sequence[Attributes], names: Names):
         self.bundle, self.look, self.looks, self.names = bundle, look, looks, names
-        self._first = bundle.first
+        self._first: np.ndarray | None = None
 
     def __len__(self) -> int:
         return len(self.look)
@@ -69,6 +78,8 @@ class ChainColumns(Sequence[Chain]):
     def _made(self, rows: np.ndarray) -> Iterator[Chain]:
         """Yield the chains of some rows, int64[k]."""
         xy, bulge, _ = self.bundle
+        if self._first is None:
+            self._first = self.bundle.first
         first, counts = self._first[rows], self.bundle.counts[rows]
         columns = (column.tolist() for column in (rows, first, counts, self.look[rows]))
         for row, begin, count, look, name in zip(*columns, self.names.of(rows), strict=True):
@@ -79,6 +90,15 @@ class ChainColumns(Sequence[Chain]):
     def where(self, rows: np.ndarray, bundle: Bundle) -> ChainColumns:
         """Return other curves with the attributes of some rows, int64[k]."""
         return ChainColumns(bundle, self.look[rows], self.looks, self.names.where(rows))
+
+
+def columns_joined(one: ChainColumns, other: ChainColumns) -> ChainColumns:
+    """Return the curves of both, one after the other; those of one alone are not copied."""
+    if not len(other) or not len(one):
+        return one if len(one) else other
+    look = np.concatenate([one.look, other.look + len(one.looks)]).astype(np.int32)
+    bundle = bundles_joined([one.bundle, other.bundle])
+    return ChainColumns(bundle, look, [*one.looks, *other.looks], names_joined(one.names, other.names))
 
 
 class ChainGatherer:

@@ -33,17 +33,17 @@ def joined_pieces(
     columns = columns_of(pieces)
     together: dict[tuple[str, str], int] = {}  # in the order of the file, as the looks are
     keys = [(look.layer, look.colour if by_colour else "") for look in columns.looks]
-    group = np.array([together.setdefault(key, len(together)) for key in keys], int)[columns.look]
+    group = np.array([together.setdefault(key, len(together)) for key in keys], np.int32)[columns.look]
     bundles, firsts, gaps = [], [np.empty(0, int)], []
     for (layer, _), number in together.items():
         checkpoint()
-        own = np.flatnonzero(group == number)
         chains, first, nearly = joined_bundle(columns.bundle.where(group == number), same_mm, near_mm)
         bundles.append(chains)
-        firsts.append(own[first])
+        firsts.append(np.flatnonzero(group == number)[first])
         gaps += [(layer, gap) for gap in nearly]
         share((number + 1) / len(together))
     numbers = np.concatenate(firsts)
     order = np.argsort(numbers)
     bundle = bundles_joined(bundles)
-    return columns.where(numbers[order], bundle if len(bundles) == 1 else bundle.taken(order)), tuple(gaps)
+    bundles.clear()  # no two copies of them are there at once
+    return columns.where(numbers[order], bundle if len(together) == 1 else bundle.taken(order)), tuple(gaps)

@@ -161,16 +161,16 @@ def split_ramps(pieces: Segments, step_mm: float) -> Segments:
     """Return the segments with those that change their height by more than `step_mm` cut into equal parts."""
     rise = np.abs(pieces.end[:, 2] - pieces.begin[:, 2])
     is_ramp = np.hypot(*(pieces.end - pieces.begin)[:, :2].T) > 1e-9
-    return _parted(pieces, np.where(is_ramp, np.maximum(np.ceil(rise / step_mm), 1), 1).astype(np.int64))
+    return parted(pieces, np.where(is_ramp, np.maximum(np.ceil(rise / step_mm), 1), 1).astype(np.int64))
 
 
 def shortened(pieces: Segments, step_mm: float) -> Segments:
     """Return the segments with those that are longer than `step_mm`, seen from above, cut into equal parts."""
     length = np.hypot(*(pieces.end - pieces.begin)[:, :2].T)
-    return _parted(pieces, np.maximum(np.ceil(length / step_mm), 1).astype(np.int64))
+    return parted(pieces, np.maximum(np.ceil(length / step_mm), 1).astype(np.int64))
 
 
-def _parted(pieces: Segments, counts: np.ndarray) -> Segments:
+def parted(pieces: Segments, counts: np.ndarray) -> Segments:
     """Return each segment cut into as many equal parts."""
     index = np.repeat(np.arange(len(pieces)), counts)
     step = np.arange(len(index)) - np.repeat(np.cumsum(counts) - counts, counts)

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The process that reads drawings, slices and nests for the window: `python -m CNCStepper.workers.drawing_reader`.
+"""The process that reads drawings, slices, nests and compares programs for the window.
 
-It knows nothing of FreeCAD. Each line on standard input is a question in JSON; a newer one ends the work on the one
-before. Each line on standard output is about the newest:
+`python -m CNCStepper.workers.drawing_reader` knows nothing of FreeCAD. Each line on standard input is a question in
+JSON; a newer one ends the work on the one before. Each line on standard output is about the newest:
 
     {"mark": 3, "drawing": {"file": PATH, "form": {...}, "limits": {...}}}
     {"mark": 3, "slices": {"solid": PATH, "folder": PATH, "title": TEXT, "form": {...}}}
     {"mark": 3, "template": {"file": PATH, "path": PATH, "content": {...}, "make": false}}
     {"mark": 3, "nest": {...}}                    `job/nesting/nest_question.py`
     {"mark": 3, "arrange": {...}}                 `job/editing/arrange_question.py`
+    {"mark": 3, "compare": {...}}                 `job/comparison/comparison_question.py`
     {"stop": 3}                                   ends a search with the best so far
 
     {"mark": 3, "share": 0.4}                     what share is done
@@ -111,12 +112,19 @@ def _arrange(question: dict[str, Any], share: Share, stopped: Event) -> dict[str
     return answer_of(question["arrange"], share, stopped)
 
 
+def _compare(question: dict[str, Any], share: Share, stopped: Event) -> dict[str, Any]:
+    from CNCStepper.job.comparison.comparison_question import answer_of
+
+    return answer_of(question["compare"], share)
+
+
 WORK: dict[str, Callable[[dict[str, Any], Share, Event], dict[str, Any]]] = {
     "drawing": _drawing,
     "slices": _slices,
     "nest": _nest,
     "arrange": _arrange,
     "template": _template,
+    "compare": _compare,
 }
 
 

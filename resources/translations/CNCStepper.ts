@@ -4875,6 +4875,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Chooses a G-code file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Choose…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4951,11 +4955,23 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Compare</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Compare programs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Compare what the controller holds with your machine's values or a backup.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>Compare with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Compares the motion of both programs; comments, units and numbers of lines make no difference</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -5959,6 +5975,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>First program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>First steps</source>
             <translation type="unfinished"></translation>
         </message>
@@ -6624,6 +6644,10 @@
         </message>
         <message>
             <source>How far apart joints are at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far apart paths may be that are one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -9149,6 +9173,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Save picture…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Save plots…</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9218,6 +9246,10 @@ the height</source>
         </message>
         <message>
             <source>Second hole</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Second program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11509,6 +11541,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Writes the picture as a file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Writes the text into a file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13586,6 +13622,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Also write the comparison there.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Also write the part there, as STL in mm.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13759,7 +13799,19 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Comments, line numbers, units, modal words, arcs written as chords and lines divided otherwise make no difference. Times are the job's machine's or table-a's unless told. With --stock and --tool, --bar and --turning-tool, or --job, the parts that both cut are compared too. Exit 0 where the motion is the same, 1 where it differs.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Compare the controller at --port with OTHER: a backup's file, or a machine profile by its name.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Compare the motion of the programs FIRST and SECOND: what only one has, where they part, how far they are apart.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Compare the motion of two programs: figures and one picture.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13832,6 +13884,10 @@ the height</source>
         </message>
         <message>
             <source>Do you want to continue?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Draw both paths over each other: .png or .svg.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14024,6 +14080,14 @@ the height</source>
         </message>
         <message>
             <source>Home the machine first ($H); make sure the way is free.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How SECOND is read. [default: as FIRST]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>How far apart paths may be that are one, mm.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15411,6 +15475,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a strip</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a subroutine that is called</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15424,6 +15492,14 @@ the height</source>
         </message>
         <message>
             <source>at most {notes} parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>checking</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>checking {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15458,11 +15534,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>compiling the kernels, once for this computer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>contour   line   operation             begins at                        length</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>converting {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut {cut:.1f} mm, in air {air:.1f} mm, rapid {rapid:.1f} mm, pierces {pierces}{removed}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cutting the stock by</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15554,7 +15642,31 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>judging the part of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>letters: one a pulse. board: a byte a pulse, four motors. coils: time and wires of each motor. parport: time, data and control register. csv: time and positions. vcd: every edge, for GTKWave or PulseView.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>looking at {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making and proving</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making the programs of {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making the shapes of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>making {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15563,6 +15675,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>name one with --contour, or give --line, --operation or --at</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nesting</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15614,6 +15730,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>proving {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>pulse letters have no certificate: they are checked when they are sent</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15622,7 +15742,31 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>reading</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading back what was made of</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reading {name}, {read_mb:.0f} MB so far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>refused</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>reporting on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15630,7 +15774,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>slicing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>square of {side:g} mm at {feed:g} mm/min: done</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>stepping {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15698,6 +15850,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>timing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>timing {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>touch_off: the operator zeroes each tool, so that lengths are left out. [default: lengths are kept]</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15711,6 +15871,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>what moves the axis? give --screw MM, or --belt MM and --teeth N, or --machine and --axis</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>writing</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15926,7 +16090,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{stage} the restart of {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{status}   ~ goes on, stop ends it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{text} (Ctrl+C stops it)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15939,6 +16111,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{to}: {rows} rows</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{used} sheets of {given}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18365,6 +18541,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>after z {z:.6g} mm let z never rise along it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>all before line {first_line} is cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18537,6 +18717,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>arcs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>arcs are in XY</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18666,6 +18850,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>at z {0} mm, radius {1} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>at z {z:.6g} mm, radius {r:.6g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18874,6 +19062,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>boring takes a tool for the inside</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>boring {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19725,7 +19917,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>cut length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>cut on the stock that the moves before it have left, and judged against the shapes of the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>cut only here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20105,6 +20305,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>feed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>feed mode set to inverse time</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20158,6 +20362,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>finish_{name} leaves nothing to rough</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>first difference of the path: {one}, {other}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>first other feed: {one}, {other}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>first other tool, spindle or coolant: {one}, {other}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20754,6 +20970,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>in both</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21357,6 +21577,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>largest deviation of the cuts: {distance_mm:.3f} mm at X{x_mm:.3f} Y{y_mm:.3f} Z{z_mm:.3f}, {line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>largest deviation: {distance:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>laser mode</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21430,6 +21658,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>leave out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave out what follows z {z:.6g} mm, radius {r:.6g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21574,6 +21806,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>line {first} to {file_line}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>line {line} of {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22041,6 +22277,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>move its point at z {z:.6g} mm, radius {r:.6g} mm there</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22118,6 +22358,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>move {letter} on a line of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>moves</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22353,6 +22597,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no insert reaches both its walls: cut it with a blade of {width:.4g} mm or narrower, {deep:.4g} mm deep</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no jet is driven by more than 10 kbar</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22530,6 +22778,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>no torch or wire draws more than 10 kA</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no usual insert fits between its walls: it must fill {room:.4g} deg or less; draw them less steep</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22850,6 +23102,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>only arcs of G17 can be turned about Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>only in {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23281,6 +23537,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>rapid length</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>rapid only here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>rapids</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>rapids and cuts would be exchanged</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23382,6 +23650,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>remove the lines with `%`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>removed only here</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23926,6 +24198,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>spacing_mm asks for more than {most_tabs} tabs on one contour</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>spindle speed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25201,6 +25477,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the end of {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the ends of the legs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26105,6 +26385,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the motion is the same</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the motor of {name} may lose steps: at {speed:.4g} mm/s ({rpm_at:.0f} rpm) and {acceleration:.4g} mm/s² it has too little torque</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26845,6 +27129,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the same places are passed, in another order or at another feed, speed or tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the scheduler has no workers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26966,6 +27254,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the signal {name} is on no pin of the parallel port</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the simulated parts are the same</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the simulated parts differ by up to {deepest_mm:.3f} mm at {first}{x_mm:.2f} {second}{y_mm:.2f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27306,6 +27602,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the tool offset may not be changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the tool paths differ</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28021,6 +28321,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>threading {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28030,6 +28334,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>threshold {threshold}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>time</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28141,6 +28449,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>tools</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>torque must be points (rpm, Nm) that rise in rpm</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28202,6 +28514,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>turning counter-clockwise (M4)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>turning {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28397,6 +28713,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use a left-hand insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use a longer drill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28410,10 +28730,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>use a mill, or lift the drill before it</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>use a more pointed insert or a groove</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28497,15 +28813,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use an insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use another blade</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>use another holder</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>use another insert or holder</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29401,6 +29717,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>z {z:.6g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>zero of</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29610,6 +29934,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{count} paths are damaged and read up to the damage</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} points fewer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29966,6 +30294,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{length} characters, {text} with spaces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{letter} above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30690,6 +31022,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Cuts a pocket: the selected circle, or one by numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Compare</name>
+        <message>
+            <source>Compare programs…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Lays the tool paths of two programs over each other, and says where they differ</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

@@ -4875,6 +4875,10 @@
             <translation>Escolha o que a máquina faz e a máquina mais parecida com a sua.</translation>
         </message>
         <message>
+            <source>Chooses a G-code file</source>
+            <translation>Escolhe um arquivo G-code</translation>
+        </message>
+        <message>
             <source>Choose…</source>
             <translation>Escolher…</translation>
         </message>
@@ -4951,12 +4955,24 @@
             <translation>Linhas comuns</translation>
         </message>
         <message>
+            <source>Compare</source>
+            <translation>Comparar</translation>
+        </message>
+        <message>
+            <source>Compare programs</source>
+            <translation>Comparar programas</translation>
+        </message>
+        <message>
             <source>Compare what the controller holds with your machine's values or a backup.</source>
             <translation>Compare o que o controlador guarda com os valores da sua máquina ou com uma cópia.</translation>
         </message>
         <message>
             <source>Compare with</source>
             <translation>Comparar com</translation>
+        </message>
+        <message>
+            <source>Compares the motion of both programs; comments, units and numbers of lines make no difference</source>
+            <translation>Compara o movimento dos dois programas; comentários, unidades e números de linha não fazem diferença</translation>
         </message>
         <message>
             <source>Comparing the cut with the drawing…</source>
@@ -5959,6 +5975,10 @@
             <translation>Primeira peça</translation>
         </message>
         <message>
+            <source>First program</source>
+            <translation>Primeiro programa</translation>
+        </message>
+        <message>
             <source>First steps</source>
             <translation>Primeiros passos</translation>
         </message>
@@ -6625,6 +6645,10 @@
         <message>
             <source>How far apart joints are at most</source>
             <translation>A maior distância entre as pontes</translation>
+        </message>
+        <message>
+            <source>How far apart paths may be that are one</source>
+            <translation>A que distância percursos ainda são um só</translation>
         </message>
         <message>
             <source>How far apart tabs are at most</source>
@@ -9151,6 +9175,10 @@ altura</translation>
             <translation>Guarde ou desfaça esta tabela primeiro</translation>
         </message>
         <message>
+            <source>Save picture…</source>
+            <translation>Salvar imagem…</translation>
+        </message>
+        <message>
             <source>Save plots…</source>
             <translation>Salvar gráficos…</translation>
         </message>
@@ -9221,6 +9249,10 @@ altura</translation>
         <message>
             <source>Second hole</source>
             <translation>Segundo furo</translation>
+        </message>
+        <message>
+            <source>Second program</source>
+            <translation>Segundo programa</translation>
         </message>
         <message>
             <source>Seconds at the bottom</source>
@@ -11511,6 +11543,10 @@ altura</translation>
             <translation>Grava os dois gráficos como imagem</translation>
         </message>
         <message>
+            <source>Writes the picture as a file</source>
+            <translation>Grava a imagem em um arquivo</translation>
+        </message>
+        <message>
             <source>Writes the text into a file</source>
             <translation>Grava o texto em um arquivo</translation>
         </message>
@@ -13602,6 +13638,10 @@ altura</translation>
             <translation>Escreve ali também o certificado, para `send`.</translation>
         </message>
         <message>
+            <source>Also write the comparison there.</source>
+            <translation>Grava também a comparação ali.</translation>
+        </message>
+        <message>
             <source>Also write the part there, as STL in mm.</source>
             <translation>Escreve ali também a peça, como STL em mm.</translation>
         </message>
@@ -13776,8 +13816,20 @@ altura</translation>
             <translation>Comandos</translation>
         </message>
         <message>
+            <source>Comments, line numbers, units, modal words, arcs written as chords and lines divided otherwise make no difference. Times are the job's machine's or table-a's unless told. With --stock and --tool, --bar and --turning-tool, or --job, the parts that both cut are compared too. Exit 0 where the motion is the same, 1 where it differs.</source>
+            <translation>Comentários, números de linha, unidades, palavras modais, arcos escritos como cordas e linhas divididas de outro modo não fazem diferença. Os tempos são os da máquina do trabalho ou da table-a, se nada for dito. Com --stock e --tool, --bar e --turning-tool, ou --job, as peças que os dois cortam são comparadas também. Sai com 0 onde o movimento é o mesmo, com 1 onde difere.</translation>
+        </message>
+        <message>
             <source>Compare the controller at --port with OTHER: a backup's file, or a machine profile by its name.</source>
             <translation>Compara o controlador em --port com OTHER: o arquivo de uma cópia de segurança, ou um perfil da máquina pelo nome.</translation>
+        </message>
+        <message>
+            <source>Compare the motion of the programs FIRST and SECOND: what only one has, where they part, how far they are apart.</source>
+            <translation>Compara o movimento dos programas FIRST e SECOND: o que só um tem, onde se separam, a que distância ficam.</translation>
+        </message>
+        <message>
+            <source>Compare the motion of two programs: figures and one picture.</source>
+            <translation>Compara o movimento de dois programas: números e uma imagem.</translation>
         </message>
         <message>
             <source>Copies may cut into each other.</source>
@@ -13850,6 +13902,10 @@ altura</translation>
         <message>
             <source>Do you want to continue?</source>
             <translation>Deseja continuar?</translation>
+        </message>
+        <message>
+            <source>Draw both paths over each other: .png or .svg.</source>
+            <translation>Desenha os dois percursos um sobre o outro: .png ou .svg.</translation>
         </message>
         <message>
             <source>Draw it, with what is wrong marked: .png or .svg.</source>
@@ -14042,6 +14098,14 @@ altura</translation>
         <message>
             <source>Home the machine first ($H); make sure the way is free.</source>
             <translation>Faz antes o referenciamento da máquina ($H); certifique-se de que o caminho está livre.</translation>
+        </message>
+        <message>
+            <source>How SECOND is read. [default: as FIRST]</source>
+            <translation>Como SECOND é lido. [padrão: como FIRST]</translation>
+        </message>
+        <message>
+            <source>How far apart paths may be that are one, mm.</source>
+            <translation>A que distância percursos ainda são um só, mm.</translation>
         </message>
         <message>
             <source>How far arcs may be off a spline or an ellipse, mm.</source>
@@ -15428,6 +15492,10 @@ altura</translation>
             <translation>um arquivo que {what} nomeia</translation>
         </message>
         <message>
+            <source>a strip</source>
+            <translation>uma faixa</translation>
+        </message>
+        <message>
             <source>a subroutine that is called</source>
             <translation>uma sub-rotina que é chamada</translation>
         </message>
@@ -15442,6 +15510,14 @@ altura</translation>
         <message>
             <source>at most {notes} parts</source>
             <translation>no máximo {notes} peças</translation>
+        </message>
+        <message>
+            <source>checking</source>
+            <translation>verificando</translation>
+        </message>
+        <message>
+            <source>checking {name}</source>
+            <translation>verificando {name}</translation>
         </message>
         <message>
             <source>circle of {diameter:g} mm at {feed:g} mm/min: done</source>
@@ -15482,12 +15558,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>cncstepper: {sentence}; Ctrl+C o encerra</translation>
         </message>
         <message>
+            <source>compiling the kernels, once for this computer</source>
+            <translation>compilando os núcleos de cálculo, uma vez neste computador</translation>
+        </message>
+        <message>
             <source>contour   line   operation             begins at                        length</source>
             <translation>contorno  linha  operação              começa em                        comprimento</translation>
         </message>
         <message>
+            <source>converting {name}</source>
+            <translation>convertendo {name}</translation>
+        </message>
+        <message>
             <source>cut {cut:.1f} mm, in air {air:.1f} mm, rapid {rapid:.1f} mm, pierces {pierces}{removed}</source>
             <translation>corte {cut:.1f} mm, no ar {air:.1f} mm, rápido {rapid:.1f} mm, perfurações {pierces}{removed}</translation>
+        </message>
+        <message>
+            <source>cutting the stock by</source>
+            <translation>cortando o bruto com</translation>
         </message>
         <message>
             <source>default: {default}</source>
@@ -15578,8 +15666,32 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não são três números em mm com ponto decimal, como 100,70,20</translation>
         </message>
         <message>
+            <source>judging the part of</source>
+            <translation>julgando a peça de</translation>
+        </message>
+        <message>
             <source>letters: one a pulse. board: a byte a pulse, four motors. coils: time and wires of each motor. parport: time, data and control register. csv: time and positions. vcd: every edge, for GTKWave or PulseView.</source>
             <translation>letters: uma por pulso. board: um byte por pulso, quatro motores. coils: tempo e fios de cada motor. parport: tempo, registradores de dados e de controle. csv: tempo e posições. vcd: cada borda, para GTKWave ou PulseView.</translation>
+        </message>
+        <message>
+            <source>looking at {name}</source>
+            <translation>examinando {name}</translation>
+        </message>
+        <message>
+            <source>making and proving</source>
+            <translation>criando e provando</translation>
+        </message>
+        <message>
+            <source>making the programs of {name}</source>
+            <translation>gerando os programas de {name}</translation>
+        </message>
+        <message>
+            <source>making the shapes of</source>
+            <translation>gerando as formas de</translation>
+        </message>
+        <message>
+            <source>making {name}</source>
+            <translation>gerando {name}</translation>
         </message>
         <message>
             <source>mm of an STL's unit.</source>
@@ -15588,6 +15700,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>name one with --contour, or give --line, --operation or --at</source>
             <translation>escolha um com --contour, ou dê --line, --operation ou --at</translation>
+        </message>
+        <message>
+            <source>nesting</source>
+            <translation>aninhando</translation>
         </message>
         <message>
             <source>nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far</source>
@@ -15638,6 +15754,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>caminho</translation>
         </message>
         <message>
+            <source>proving {name}</source>
+            <translation>provando {name}</translation>
+        </message>
+        <message>
             <source>pulse letters have no certificate: they are checked when they are sent</source>
             <translation>letras de pulso não têm certificado: são verificadas quando são enviadas</translation>
         </message>
@@ -15646,16 +15766,48 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>letras de pulso precisam de --machine</translation>
         </message>
         <message>
+            <source>reading</source>
+            <translation>lendo</translation>
+        </message>
+        <message>
+            <source>reading back</source>
+            <translation>lendo de volta</translation>
+        </message>
+        <message>
+            <source>reading back what was made of</source>
+            <translation>lendo de volta o resultado de</translation>
+        </message>
+        <message>
+            <source>reading {name}</source>
+            <translation>lendo {name}</translation>
+        </message>
+        <message>
+            <source>reading {name}, {read_mb:.0f} MB so far</source>
+            <translation>lendo {name}, {read_mb:.0f} MB até agora</translation>
+        </message>
+        <message>
             <source>refused</source>
             <translation>recusado</translation>
+        </message>
+        <message>
+            <source>reporting on</source>
+            <translation>relatando</translation>
         </message>
         <message>
             <source>required</source>
             <translation>obrigatório</translation>
         </message>
         <message>
+            <source>slicing</source>
+            <translation>fatiando</translation>
+        </message>
+        <message>
             <source>square of {side:g} mm at {feed:g} mm/min: done</source>
             <translation>quadrado de {side:g} mm a {feed:g} mm/min: feito</translation>
+        </message>
+        <message>
+            <source>stepping {name}</source>
+            <translation>calculando os passos de {name}</translation>
         </message>
         <message>
             <source>takes {time_s:.1f} s</source>
@@ -15722,6 +15874,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>isto faz dele um programa para {target}: {command}</translation>
         </message>
         <message>
+            <source>timing</source>
+            <translation>medindo o tempo de</translation>
+        </message>
+        <message>
+            <source>timing {name}</source>
+            <translation>medindo o tempo de {name}</translation>
+        </message>
+        <message>
             <source>touch_off: the operator zeroes each tool, so that lengths are left out. [default: lengths are kept]</source>
             <translation>touch_off: o operador zera cada ferramenta, de modo que os comprimentos são deixados de fora. [padrão: os comprimentos ficam]</translation>
         </message>
@@ -15736,6 +15896,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>what moves the axis? give --screw MM, or --belt MM and --teeth N, or --machine and --axis</source>
             <translation>o que move o eixo? dê --screw MM, ou --belt MM e --teeth N, ou --machine e --axis</translation>
+        </message>
+        <message>
+            <source>writing</source>
+            <translation>escrevendo</translation>
         </message>
         <message>
             <source>{acknowledged} of {total} lines acknowledged in {elapsed_s:.1f} s</source>
@@ -15950,8 +16114,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{sound} de {made} programas, {sound2:.1f} min</translation>
         </message>
         <message>
+            <source>{stage} the restart of {name}</source>
+            <translation>{stage} a retomada de {name}</translation>
+        </message>
+        <message>
             <source>{status}   ~ goes on, stop ends it</source>
             <translation>{status}   ~ continua, stop encerra</translation>
+        </message>
+        <message>
+            <source>{text} (Ctrl+C stops it)</source>
+            <translation>{text} (Ctrl+C interrompe)</translation>
         </message>
         <message>
             <source>{title}: {count} chains</source>
@@ -15964,6 +16136,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{to}: {rows} rows</source>
             <translation>{to}: {rows} linhas</translation>
+        </message>
+        <message>
+            <source>{used} sheets of {given}</source>
+            <translation>{used} chapas de {given}</translation>
         </message>
         <message>
             <source>{value!r} is not a valid boolean. Recognized values: {states}</source>
@@ -18389,6 +18565,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>depois de uma parada o primeiro movimento nomeia todos os seus eixos, em um só trajeto reto: deixe a máquina acima da peça</translation>
         </message>
         <message>
+            <source>after z {z:.6g} mm let z never rise along it</source>
+            <translation>depois de z {z:.6g} mm não deixe z subir ao longo dele</translation>
+        </message>
+        <message>
             <source>all before line {first_line} is cut</source>
             <translation>tudo antes da linha {first_line} está cortado</translation>
         </message>
@@ -18561,6 +18741,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>tolerância de arco</translation>
         </message>
         <message>
+            <source>arcs</source>
+            <translation>arcos</translation>
+        </message>
+        <message>
             <source>arcs are in XY</source>
             <translation>os arcos ficam em XY</translation>
         </message>
@@ -18691,6 +18875,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>at z {0} mm, radius {1} mm</source>
             <translation>em z {0} mm, raio {1} mm</translation>
+        </message>
+        <message>
+            <source>at z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation>em z {z:.6g} mm, raio {r:.6g} mm</translation>
         </message>
         <message>
             <source>at {place} mm</source>
@@ -18899,6 +19087,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>boring takes a tool for the inside</source>
             <translation>o mandrilamento usa uma ferramenta interna</translation>
+        </message>
+        <message>
+            <source>boring {name}</source>
+            <translation>{name} de mandrilar</translation>
         </message>
         <message>
             <source>both radii must be positive</source>
@@ -19749,8 +19941,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>corte em um só percurso, ou com uma máquina cuja linguagem tenha M3 e M5</translation>
         </message>
         <message>
+            <source>cut length</source>
+            <translation>comprimento de corte</translation>
+        </message>
+        <message>
             <source>cut on the stock that the moves before it have left, and judged against the shapes of the job</source>
             <translation>cortado no material que os movimentos anteriores deixaram, e julgado pelas formas do trabalho</translation>
+        </message>
+        <message>
+            <source>cut only here</source>
+            <translation>corte só aqui</translation>
         </message>
         <message>
             <source>cut some of the curves in an operation of their own</source>
@@ -20129,6 +20329,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>velocidade rápida de referência</translation>
         </message>
         <message>
+            <source>feed</source>
+            <translation>avanço</translation>
+        </message>
+        <message>
             <source>feed mode set to inverse time</source>
             <translation>modo de avanço: tempo inverso</translation>
         </message>
@@ -20183,6 +20387,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>finish_{name} leaves nothing to rough</source>
             <translation>finish_{name} não deixa nada para desbastar</translation>
+        </message>
+        <message>
+            <source>first difference of the path: {one}, {other}</source>
+            <translation>primeira diferença do percurso: {one}, {other}</translation>
+        </message>
+        <message>
+            <source>first other feed: {one}, {other}</source>
+            <translation>primeiro avanço diferente: {one}, {other}</translation>
+        </message>
+        <message>
+            <source>first other tool, spindle or coolant: {one}, {other}</source>
+            <translation>primeira ferramenta, fuso ou refrigeração diferente: {one}, {other}</translation>
         </message>
         <message>
             <source>fit the scaled curve anew</source>
@@ -20779,6 +20995,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>in absolute mode the control drives an axis without a word to 0</source>
             <translation>no modo absoluto o comando leva para 0 um eixo sem palavra</translation>
+        </message>
+        <message>
+            <source>in both</source>
+            <translation>nos dois</translation>
         </message>
         <message>
             <source>in inverse time every {name} needs its own F above 0</source>
@@ -21381,6 +21601,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>maior que {largest_bytes} MB</translation>
         </message>
         <message>
+            <source>largest deviation of the cuts: {distance_mm:.3f} mm at X{x_mm:.3f} Y{y_mm:.3f} Z{z_mm:.3f}, {line}</source>
+            <translation>maior desvio dos cortes: {distance_mm:.3f} mm em X{x_mm:.3f} Y{y_mm:.3f} Z{z_mm:.3f}, {line}</translation>
+        </message>
+        <message>
+            <source>largest deviation: {distance:.3f} mm</source>
+            <translation>maior desvio: {distance:.3f} mm</translation>
+        </message>
+        <message>
             <source>laser mode</source>
             <translation>modo laser</translation>
         </message>
@@ -21455,6 +21683,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>leave out</source>
             <translation>omitir</translation>
+        </message>
+        <message>
+            <source>leave out what follows z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation>omita o que segue z {z:.6g} mm, raio {r:.6g} mm</translation>
         </message>
         <message>
             <source>leave part = "holes" out</source>
@@ -21599,6 +21831,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>line {first} to {file_line}</source>
             <translation>linha {first} a {file_line}</translation>
+        </message>
+        <message>
+            <source>line {line} of {name}</source>
+            <translation>linha {line} de {name}</translation>
         </message>
         <message>
             <source>line {line}: {count} of {name} not placed: {why}</source>
@@ -22065,6 +22301,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desloque-a {in_mm:.3f} mm para dentro, ou use uma chapa maior</translation>
         </message>
         <message>
+            <source>move its point at z {z:.6g} mm, radius {r:.6g} mm there</source>
+            <translation>mova para lá o seu ponto em z {z:.6g} mm, raio {r:.6g} mm</translation>
+        </message>
+        <message>
             <source>move one of the corners</source>
             <translation>mova um dos cantos</translation>
         </message>
@@ -22143,6 +22383,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>move {letter} on a line of its own</source>
             <translation>mova {letter} em uma linha própria</translation>
+        </message>
+        <message>
+            <source>moves</source>
+            <translation>movimentos</translation>
         </message>
         <message>
             <source>moves of A B C U V W are read, but cannot be proven, simulated or timed</source>
@@ -22377,6 +22621,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhuma entrada pode ser lida</translation>
         </message>
         <message>
+            <source>no insert reaches both its walls: cut it with a blade of {width:.4g} mm or narrower, {deep:.4g} mm deep</source>
+            <translation>nenhuma pastilha alcança as duas paredes: corte com um bedame de {width:.4g} mm ou mais estreito, a {deep:.4g} mm de profundidade</translation>
+        </message>
+        <message>
             <source>no jet is driven by more than 10 kbar</source>
             <translation>nenhum jato trabalha com mais de 10 kbar</translation>
         </message>
@@ -22555,6 +22803,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>no torch or wire draws more than 10 kA</source>
             <translation>nenhuma tocha ou fio puxa mais de 10 kA</translation>
+        </message>
+        <message>
+            <source>no usual insert fits between its walls: it must fill {room:.4g} deg or less; draw them less steep</source>
+            <translation>nenhuma pastilha usual cabe entre as paredes: ela deve ocupar {room:.4g} graus ou menos; desenhe-as menos íngremes</translation>
         </message>
         <message>
             <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
@@ -22875,6 +23127,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>only arcs of G17 can be turned about Z</source>
             <translation>só arcos de G17 podem ser girados em torno de Z</translation>
+        </message>
+        <message>
+            <source>only in {name}</source>
+            <translation>só em {name}</translation>
         </message>
         <message>
             <source>only the controller knows where a probe stops</source>
@@ -23305,6 +23561,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>rampa {ramp_deg:g} deg</translation>
         </message>
         <message>
+            <source>rapid length</source>
+            <translation>comprimento de rápidos</translation>
+        </message>
+        <message>
+            <source>rapid only here</source>
+            <translation>rápido só aqui</translation>
+        </message>
+        <message>
+            <source>rapids</source>
+            <translation>rápidos</translation>
+        </message>
+        <message>
             <source>rapids and cuts would be exchanged</source>
             <translation>rápidos e cortes seriam trocados entre si</translation>
         </message>
@@ -23407,6 +23675,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>remove the lines with `%`</source>
             <translation>retire as linhas com `%`</translation>
+        </message>
+        <message>
+            <source>removed only here</source>
+            <translation>removido só aqui</translation>
         </message>
         <message>
             <source>rename one of them</source>
@@ -23951,6 +24223,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>spacing_mm asks for more than {most_tabs} tabs on one contour</source>
             <translation>spacing_mm pede mais de {most_tabs} pontes em um contorno</translation>
+        </message>
+        <message>
+            <source>spindle speed</source>
+            <translation>rotação do fuso</translation>
         </message>
         <message>
             <source>spindle stop</source>
@@ -25225,6 +25501,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a parada de emergência foi acionada</translation>
         </message>
         <message>
+            <source>the end of {name}</source>
+            <translation>o fim de {name}</translation>
+        </message>
+        <message>
             <source>the ends of the legs</source>
             <translation>as pontas das abas</translation>
         </message>
@@ -26129,6 +26409,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a imagem espelhada do X de um torno fica além do eixo</translation>
         </message>
         <message>
+            <source>the motion is the same</source>
+            <translation>o movimento é o mesmo</translation>
+        </message>
+        <message>
             <source>the motor of {name} may lose steps: at {speed:.4g} mm/s ({rpm_at:.0f} rpm) and {acceleration:.4g} mm/s² it has too little torque</source>
             <translation>o motor de {name} pode perder passos: a {speed:.4g} mm/s ({rpm_at:.0f} rpm) e {acceleration:.4g} mm/s² falta-lhe torque</translation>
         </message>
@@ -26869,6 +27153,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a porta de segurança foi aberta durante o referenciamento</translation>
         </message>
         <message>
+            <source>the same places are passed, in another order or at another feed, speed or tool</source>
+            <translation>os mesmos lugares são percorridos, em outra ordem ou com outro avanço, rotação ou ferramenta</translation>
+        </message>
+        <message>
             <source>the scheduler has no workers</source>
             <translation>o escalonador não tem processos de trabalho</translation>
         </message>
@@ -26991,6 +27279,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the signal {name} is on no pin of the parallel port</source>
             <translation>o sinal {name} não está em nenhum pino da porta paralela</translation>
+        </message>
+        <message>
+            <source>the simulated parts are the same</source>
+            <translation>as peças simuladas são iguais</translation>
+        </message>
+        <message>
+            <source>the simulated parts differ by up to {deepest_mm:.3f} mm at {first}{x_mm:.2f} {second}{y_mm:.2f}</source>
+            <translation>as peças simuladas diferem até {deepest_mm:.3f} mm em {first}{x_mm:.2f} {second}{y_mm:.2f}</translation>
         </message>
         <message>
             <source>the simulation's process has ended</source>
@@ -27331,6 +27627,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the tool offset may not be changed</source>
             <translation>a correção da ferramenta não pode ser mudada</translation>
+        </message>
+        <message>
+            <source>the tool paths differ</source>
+            <translation>os percursos da ferramenta diferem</translation>
         </message>
         <message>
             <source>the tool runs into the chuck</source>
@@ -28045,6 +28345,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>roscar</translation>
         </message>
         <message>
+            <source>threading {name}</source>
+            <translation>{name} de roscar</translation>
+        </message>
+        <message>
             <source>threads can be cut only in the plane ZX</source>
             <translation>roscas só podem ser cortadas no plano ZX</translation>
         </message>
@@ -28055,6 +28359,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>threshold {threshold}</source>
             <translation>limiar {threshold}</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>tempo</translation>
         </message>
         <message>
             <source>times its diameter</source>
@@ -28165,6 +28473,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a ferramenta {tool} não está na tabela de ferramentas</translation>
         </message>
         <message>
+            <source>tools</source>
+            <translation>ferramentas</translation>
+        </message>
+        <message>
             <source>torque must be points (rpm, Nm) that rise in rpm</source>
             <translation>torque deve ser uma lista de pontos (rpm, Nm) com rpm crescente</translation>
         </message>
@@ -28227,6 +28539,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>turning counter-clockwise (M4)</source>
             <translation>girando no sentido anti-horário (M4)</translation>
+        </message>
+        <message>
+            <source>turning {name}</source>
+            <translation>{name} de tornear</translation>
         </message>
         <message>
             <source>twice the holes' distance from it</source>
@@ -28421,6 +28737,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use uma fresa de topo reto</translation>
         </message>
         <message>
+            <source>use a left-hand insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation>use uma pastilha à esquerda {shape} ({nose:g} graus) com ângulo de posição de {low:.4g} a {high:.4g} graus</translation>
+        </message>
+        <message>
             <source>use a longer drill</source>
             <translation>use uma broca mais longa</translation>
         </message>
@@ -28435,10 +28755,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>use a mill, or lift the drill before it</source>
             <translation>use uma fresa, ou levante a broca antes disso</translation>
-        </message>
-        <message>
-            <source>use a more pointed insert or a groove</source>
-            <translation>use uma pastilha mais aguda ou um canal</translation>
         </message>
         <message>
             <source>use a name of your own</source>
@@ -28521,16 +28837,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use uma pastilha desse passo</translation>
         </message>
         <message>
+            <source>use an insert {shape} ({nose:g} deg) at an entering angle of {low:.4g} to {high:.4g} deg</source>
+            <translation>use uma pastilha {shape} ({nose:g} graus) com ângulo de posição de {low:.4g} a {high:.4g} graus</translation>
+        </message>
+        <message>
             <source>use another blade</source>
             <translation>use outro bedame</translation>
         </message>
         <message>
             <source>use another holder</source>
             <translation>use outro suporte</translation>
-        </message>
-        <message>
-            <source>use another insert or holder</source>
-            <translation>use outra pastilha ou outro suporte</translation>
         </message>
         <message>
             <source>use another tool</source>
@@ -29425,6 +29741,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>z {0} mm no máximo</translation>
         </message>
         <message>
+            <source>z {z:.6g} mm</source>
+            <translation>z {z:.6g} mm</translation>
+        </message>
+        <message>
+            <source>z {z:.6g} mm, radius {r:.6g} mm</source>
+            <translation>z {z:.6g} mm, raio {r:.6g} mm</translation>
+        </message>
+        <message>
             <source>zero of</source>
             <translation>zero de</translation>
         </message>
@@ -29635,6 +29959,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{count} paths are damaged and read up to the damage</source>
             <translation>{count} caminhos estão danificados e são lidos até o dano</translation>
+        </message>
+        <message>
+            <source>{count} points fewer</source>
+            <translation>{count} pontos a menos</translation>
         </message>
         <message>
             <source>{count} pulses do not fit: no room, or ticks that do not rise</source>
@@ -29991,6 +30319,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{length} characters, {text} with spaces</source>
             <translation>{length} caracteres, {text} com espaços</translation>
+        </message>
+        <message>
+            <source>{letter} above 0</source>
+            <translation>{letter} acima de 0</translation>
         </message>
         <message>
             <source>{letter} and {axis} are the same axis</source>
@@ -30715,6 +31047,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Cuts a pocket: the selected circle, or one by numbers</source>
             <translation>Corta um bolsão: o círculo selecionado ou um por números</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_Compare</name>
+        <message>
+            <source>Compare programs…</source>
+            <translation>Comparar programas…</translation>
+        </message>
+        <message>
+            <source>Lays the tool paths of two programs over each other, and says where they differ</source>
+            <translation>Põe os percursos de dois programas um sobre o outro, e diz onde diferem</translation>
         </message>
     </context>
     <context>

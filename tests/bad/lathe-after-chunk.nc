@@ -1,3 +1,3 @@
 G00 X1. # ?
 X1. #
-; expect no-motion 2:1 mini-lathe | there is no motion that the coordinates could belong to (value X1.); write G0, G1, G2 or G3
+; expect no-motion 2:1 mini-lathe | there is no motion that the coordinates could belong to (value X1., limit G0, G1); write the motion word again

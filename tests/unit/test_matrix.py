@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import threading
 from pathlib import Path
 from typing import Any
@@ -29,6 +30,28 @@ def let_all_pass(matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -
     monkeypatch.setattr(matrix, "headless", lambda where, environment, log: True)
     monkeypatch.setattr(matrix, "installed", lambda where, log: True)
     monkeypatch.setattr(matrix, "window", lambda where, kind, environment, log, tests=(): True)
+    monkeypatch.setattr(matrix.touches, "PICTURES", tmp_path)
+    note_touches(tmp_path, "host", seen=["button"], touched=["button"])
+
+
+def note_touches(folder: Path, run: str, seen: list[str], touched: list[str]) -> None:
+    (folder / run).mkdir(exist_ok=True)
+    (folder / run / "touches.json").write_text(json.dumps({"seen": seen, "touched": touched}), "utf-8")
+
+
+def test_what_no_test_has_clicked_is_named(
+    matrix: Any, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    let_all_pass(matrix, monkeypatch, tmp_path)
+    note_touches(tmp_path, "host-scaled", seen=["CNCStepper_Dock_lost"], touched=[])
+    note_touches(tmp_path, "host-monkey", seen=[], touched=["CNCStepper_Dock_lost"])  # at random: does not count
+    assert matrix.main([]) == 0
+    assert "without a click of a test =====\nCNCStepper_Dock_lost\n" in capsys.readouterr().out
+    note_touches(tmp_path, "host-portuguese", seen=[], touched=["CNCStepper_Dock_lost"])
+    assert matrix.main([]) == 0
+    assert "without a click of a test =====\nnothing\n" in capsys.readouterr().out
+    assert matrix.main(["1.1.3"]) == 0
+    assert "without a click" not in capsys.readouterr().out
 
 
 def test_what_cannot_be_set_up_has_failed_and_the_rest_still_runs(

@@ -19,6 +19,7 @@ if INSIDE:
     from CNCStepper.workbench.calculation import kernel_warmup
     from window_helpers import touches, window_kinds
     from window_helpers.hand import PICTURES, Hand
+    from window_helpers.twin import Twin
 
     KERNELS_S = 540  # so long may the kernels take to be compiled, on a busy machine
 
@@ -28,6 +29,7 @@ if INSIDE:
     def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
         """Keep the tests of this kind of window; what a start costs is measured first."""
         kind = os.environ.get(window_kinds.VARIABLE, "plain")
+        kind = "plain" if kind in window_kinds.AS_PLAIN else kind
         wanted = {item: (item.get_closest_marker("window") or pytest.mark.window("plain")).args for item in items}
         config.hook.pytest_deselected(items=[item for item in items if kind not in wanted[item]])
         items[:] = [item for item in items if kind in wanted[item]]
@@ -46,6 +48,19 @@ if INSIDE:
         Path(os.environ["CNCSTEPPER_WINDOW_STATUS"]).with_name(window_kinds.READY).touch()
         yield hand
         hand.main(hand.touches.save, PICTURES / touches.FILE)
+
+    @pytest.fixture
+    def twins(tmp_path: Path) -> Iterator[Any]:
+        """What starts a virtual machine of a kind; all are ended."""
+        started: list[Twin] = []
+
+        def start(kind: str, *options: str) -> Twin:
+            started.append(Twin(kind, tmp_path, *options))
+            return started[-1]
+
+        yield start
+        for twin in started:
+            twin.end()
 
     @pytest.fixture
     def hand(the_hand: Hand) -> Hand:

@@ -16,6 +16,7 @@ from FreeCAD import Vector
 from PySide import QtGui
 
 from CNCStepper.workbench import api, packages
+from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.services import missing_packages
 from window_helpers.hand import Hand
 
@@ -81,6 +82,16 @@ OF_SHEETS = ("CNCStepper_SheetCut", "CNCStepper_WireCut")  # not of milling, whi
 MILLED = [name for name in LABELS if name not in (*OF_SHEETS, TEMPLATE)]
 BY_NUMBERS = [name for name in OPERATIONS if name not in (*DRAWN, *OF_SHEETS)]
 WITH_PROGRAM = [name for name in MILLED if name not in DRAWN]  # one job that has a program
+COMMANDS_OF = {
+    "milling": ("CNCStepper_Face", "CNCStepper_Bore", "CNCStepper_Thread"),
+    "plasma": ("CNCStepper_SheetCut",),
+    "hot-wire": ("CNCStepper_WireCut",),
+}
+OF_PROCESSES: tuple[dict[str, Any], ...] = (
+    {"process": "milling"},
+    {"process": "plasma", "machine": "torch-table", "material": "mild-steel", "stock_size_mm": (200, 150, 3)},
+    {"process": "hot-wire", "machine": "wire-table", "material": "eps", "stock_size_mm": (200, 150, 20)},
+)
 POCKET, ENGRAVE = "CNCStepper_EllipticalPocket", "CNCStepper_Engrave"
 
 
@@ -400,6 +411,42 @@ def test_a_drawing_that_is_no_ellipse_is_refused_in_words(hand: Hand) -> None:
 def hand_sees_box() -> bool:
     boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QMessageBox, "CNCStepper_Tell_error")
     return any(box.isVisible() for box in boxes)
+
+
+@pytest.mark.parametrize("setting", OF_PROCESSES, ids=lambda setting: setting["process"])
+def test_a_click_adds_every_other_operation(hand: Hand, setting: dict[str, Any]) -> None:
+    document = hand.main(new_document)
+    job = hand.main(lambda: api.new_job(document, **setting))
+    hand.main(lambda: api.add_tool(job) if setting["process"] == "milling" else None)
+    outline = hand.main(lambda: sketch_of(document, ellipse(30, 20)))
+    hand.main(document.recompute)
+    for name in COMMANDS_OF[setting["process"]]:
+        hand.main(select, *([outline] if name in OF_SHEETS else []))
+        hand.wait(action(name).isEnabled, 10, f"{name} to be possible")
+        hand.command(name)
+        hand.wait(FreeCADGui.Control.activeDialog, 20, f"the panel of {name}")
+        assert proxy_type(hand.main(lambda: job.Operations[-1])) == name
+        hand.click("CNCStepper_Panel_cancel")
+        hand.wait(lambda: not FreeCADGui.Control.activeDialog() and not job.Operations, 20, "the cancel")
+
+
+def test_clicks_ask_for_files_and_open_editor_and_installer(hand: Hand) -> None:
+    hand.main(lambda: new_job(new_document()))
+    for name, shown in (
+        (OPEN, "CNCStepper_Editor_file"),
+        (IMPORT, "CNCStepper_Import_file"),
+        (SAVE, "CNCStepper_Save_file"),
+    ):
+        hand.command(name)
+        hand.wait(lambda shown=shown: hand.exists(shown), 60, shown)
+        hand.key("Escape")
+        hand.wait(lambda shown=shown: not hand.exists(shown), 5, "its end")
+    hand.menu("CNCStepper", "Install packages")
+    hand.click("CNCStepper_Install_close")
+    hand.wait(lambda: not hand.exists("CNCStepper_Install_close"), 5, "its end")
+    hand.command(EDIT)
+    hand.wait(lambda: hand.exists("CNCStepper_Editor_text"), 60, "the editor")
+    assert "G21" in hand.text("CNCStepper_Editor_text")
 
 
 def test_asking_whether_a_command_can_work_takes_no_time(hand: Hand) -> None:

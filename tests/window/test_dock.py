@@ -22,6 +22,7 @@ from CNCStepper.control.transport import link
 from CNCStepper.errors import MissingPackage
 from CNCStepper.simulation.tip_follower import AS_NEAR_MM
 from CNCStepper.workbench import api
+from CNCStepper.workbench.dock.model import settings
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.dock.model.send_steps import STEPS
 from CNCStepper.workbench.services import sounds
@@ -133,11 +134,72 @@ def test_jog_and_zero(hand: Hand, dock: Any) -> None:
     hand.click(f"{D}ZeroX")
     hand.wait(lambda: work_mm(hand, "X") == 0)
     assert work_mm(hand, "Z") != 0
-    hand.click(f"{D}ZeroAll")
-    hand.wait(lambda: work_mm(hand, "Z") == 0)
+    for step, button, axis, far_mm in (
+        ("Step0", "JogXMinus", "X", -0.01),
+        ("Step2", "JogYPlus", "Y", 1),
+        ("Step3", "JogYMinus", "Y", -10),
+        ("Step3", "JogZPlus", "Z", 10),
+    ):
+        hand.click(f"{D}{step}")
+        before = work_mm(hand, axis)
+        hand.click(f"{D}{button}")
+        hand.wait(lambda axis=axis, to=before + far_mm: work_mm(hand, axis) == pytest.approx(to, abs=0.006), 20, button)
+        says(hand, "Idle")
+    for axis in "YZ":
+        assert work_mm(hand, axis) != 0
+        hand.click(f"{D}Zero{axis}")
+        hand.wait(lambda axis=axis: work_mm(hand, axis) == 0)
     hand.shot("dock-idle")
+    hand.click(f"{D}JogFeed")
+    hand.key("Ctrl+A")
+    hand.type("777")
+    hand.key("Tab")
+    hand.wait(lambda: settings.jog_feed_mm_min() == 777, 5, "the feed to be remembered")
+    hand.main(dock.jog.feed.setValue, 1000.0)
     hand.click(f"{D}Connect")
     says(hand, "Not connected")
+
+
+def test_overrides_change_by_their_steps_and_go_back(hand: Hand, dock: Any, twins: Any) -> None:
+    hand.fill(f"{D}Port", twins("grbl", "--firmware", "grblhal").address)
+    hand.click(f"{D}Connect")
+    says(hand, "Idle", 90)
+    for kind in ("feed", "spindle"):
+        for step, percent in ((10, 110), (1, 111), (-1, 110), (-10, 100), (1, 101), ("reset", 100)):
+            hand.click(f"{D}Override_{kind}_{step}")
+            hand.wait(lambda kind=kind, shown=f"{percent} %": hand.text(f"{D}Override_{kind}") == shown)
+    for percent in (25, 50, 100):
+        hand.click(f"{D}Override_rapid_{percent}")
+        hand.wait(lambda shown=f"{percent} %": hand.text(f"{D}Override_rapid") == shown)
+    for step, on in (("mist", "Mist"), ("flood", "Flood, Mist"), ("mist", "Flood"), ("flood", "Off")):
+        hand.click(f"{D}Override_coolant_{step}")
+        hand.wait(lambda on=on: hand.text(f"{D}Override_coolant") == on, what=on)
+
+
+def test_what_the_controller_says_can_be_copied(hand: Hand, dock: Any) -> None:
+    connected(hand)
+    hand.click(f"{D}ConsoleLine")
+    hand.type("$I")
+    hand.key("Return")
+    hand.wait(lambda: "VER" in hand.text(f"{D}ConsoleSaid"), 10, "the answer")
+    hand.main(dock.log.say, "", "Something to copy")
+    for name, words in (("ConsoleSaid", "VER"), ("Messages", "Something to copy")):
+        hand.click(f"{D}{name}")
+        hand.key("Ctrl+A")
+        hand.key("Ctrl+C")
+        hand.wait(lambda words=words: words in QtGui.QApplication.clipboard().text(), 5, words)
+
+
+def test_the_dock_opens_the_assistant_and_keeps_a_ports_rate(hand: Hand, dock: Any) -> None:
+    before = hand.main(lambda: dock.connection.baud_rate)
+    hand.fill(f"{D}Port", "COM99")
+    for rate in ("57600", str(before)):
+        hand.choose(f"{D}Baud", rate)
+        assert hand.main(lambda: dock.connection.baud_rate) == int(rate)
+    hand.click(f"{D}SetUp")
+    hand.wait(lambda: hand.exists("CNCStepper_Assistant"), 20, "the assistant")
+    hand.click("CNCStepper_Assistant_close")
+    hand.wait(lambda: not hand.exists("CNCStepper_Assistant"), 5, "its end")
 
 
 def test_a_held_jog_ends_with_the_button(hand: Hand, dock: Any) -> None:
@@ -441,6 +503,15 @@ def test_the_window_asks_before_it_closes_over_a_job(hand: Hand, dock: Any) -> N
     hand.wait(lambda: not hand.exists(f"{D}Closing"))
     assert hand.main(window.isVisible)
     says(hand, "Running")
+    (guard,) = hand.main(lambda: window.findChildren(QtCore.QObject, "CNCStepper_Dock_ClosingGuard"))
+    for answer in ("keep", "stop"):
+        answered: list[bool] = []
+        hand.main(lambda answered=answered: QtCore.QTimer.singleShot(0, lambda: answered.append(guard.may_close())))
+        hand.wait(lambda: hand.exists(f"{D}Closing"))
+        assert hand.main(lambda: dock.link.moment.job_runs)
+        hand.click(f"{D}Closing_{answer}")
+        hand.wait(lambda answered=answered: answered == [True], 5, "the answer")
+    hand.wait(lambda: not dock.link.moment.job_runs, 20, "the stop")
 
 
 def test_the_window_lives_while_100_000_lines_stream(hand: Hand, dock: Any, tmp_path: Path) -> None:
@@ -540,6 +611,11 @@ def test_relay_keys_switch_and_show_what_is_on(hand: Hand, dock: Any) -> None:
     hand.wait(key.isEnabled)
     hand.click(f"{D}Relay_flood")
     hand.wait(lambda: "F" not in (dock.link.status.outputs or ""), 20, "flood is off")
+    spindle = hand.find(f"{D}Relay_spindle_cw")
+    for is_on in (True, False):
+        hand.wait(spindle.isEnabled)
+        hand.click(spindle)
+        hand.wait(lambda is_on=is_on: ("S" in (dock.link.status.outputs or "")) is is_on, 20, "the spindle")
 
 
 def test_what_the_machine_cannot_do_is_said_at_its_button(

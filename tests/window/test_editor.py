@@ -17,8 +17,10 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench import api, editor
 from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.editor.edit_menu import VERBS
 from CNCStepper.workbench.editor.panel import EditorPanel
 from CNCStepper.workbench.editor.window import docks
+from CNCStepper.workbench.services import theme_colours
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
@@ -155,6 +157,13 @@ def test_what_is_not_saved_is_asked_about(hand: Hand, tmp_path: Path) -> None:
     hand.click(NAME + "closing_save")
     hand.wait(lambda: not docks(), 5)
     assert "G40 G21" in (tmp_path / "a.nc").read_text("utf-8")
+    panel = opened(hand, tmp_path / "b.nc")
+    go_to(hand, panel, 2, 1)
+    hand.type("G40 ")
+    hand.main(lambda: hand_close(panel))
+    hand.click(NAME + "closing_discard")
+    hand.wait(lambda: not docks(), 5)
+    assert (tmp_path / "b.nc").read_text("utf-8") == TEXT
 
 
 def hand_close(panel: EditorPanel) -> None:
@@ -226,6 +235,8 @@ def test_what_was_typed_stays_when_the_document_goes(hand: Hand, job: Any, tmp_p
     hand.main(FreeCAD.closeDocument, job.Document.Name)
     hand.settle()
     assert not panel.stage.shown and hand.main(lambda: panel.title) == "Job *"
+    hand.main(new_document)  # of the same name
+    assert not hand.main(lambda: panel.source.alive)
     hand.main(panel.edit.setFocus)
     hand.settle()
     hand.type("2")
@@ -252,7 +263,7 @@ def test_a_change_of_the_whole_program_is_shown_before_it_is_made(hand: Hand, tm
     hand.main(begin)
     hand.wait(lambda: QtGui.QApplication.activeModalWidget() is not None, 5)
     hand.fill(NAME + "verb_x_mm", "25")
-    hand.click(NAME + "verb_ok")
+    hand.click(NAME + "verb_values_ok")
     hand.wait(lambda: is_shown(NAME + "diff"), 20)
     hand.shot("editor-diff")
     hand.click(NAME + "diff_apply")
@@ -270,7 +281,7 @@ def test_a_cam_program_is_converted_by_a_button_and_back_by_undo(hand: Hand, tmp
     panel = opened(hand, path, CAM)
     hand.wait(lambda: panel.convert.isVisible(), READ_S)
     assert len(panel.edit.marks.all) >= 4
-    hand.main(lambda: QtCore.QTimer.singleShot(0, panel.convert.click))
+    hand.click(NAME + "convert")
     hand.wait(lambda: is_shown(NAME + "diff"), 20)
     hand.shot("editor-convert")
     hand.click(NAME + "diff_apply")
@@ -282,6 +293,78 @@ def test_a_cam_program_is_converted_by_a_button_and_back_by_undo(hand: Hand, tmp
     hand.main(panel.edit.setFocus)
     hand.key("Ctrl+Z")
     assert hand.main(panel.text) == CAM
+
+
+def test_every_change_of_the_menu_is_asked_for_shown_and_taken_back(hand: Hand, tmp_path: Path) -> None:
+    panel, made = opened(hand, tmp_path / "a.nc"), set[str]()
+    for verb in VERBS:
+        choose_change(hand, verb)
+        if verb.fields:
+            hand.wait(lambda: is_shown(NAME + "verb_values"), 5, "the question")
+            for field in verb.fields:
+                give(hand, field)
+            hand.click(NAME + "verb_values_ok")
+        hand.wait(lambda: is_shown(NAME + "diff") or answers_in_words(), 30, f"{verb.name} to answer")
+        if hand.main(is_shown, NAME + "diff"):
+            made.add(verb.name)
+            hand.click(NAME + "diff_text")
+            assert hand.main(lambda: places.find(NAME + "diff_text").hasFocus())
+            hand.click(NAME + "diff_cancel")
+        elif hand.exists("CNCStepper_Tell_ok"):
+            hand.click("CNCStepper_Tell_ok")
+        hand.wait(lambda: QtGui.QApplication.activeModalWidget() is None, 5, "the answer to go")
+        hand.main(lambda: FreeCADGui.getMainWindow().statusBar().clearMessage())
+        assert hand.main(panel.text) == TEXT
+    assert {"offset", "scale", "rotate", "mirror", "feeds", "units", "renumber"} <= made
+    choose_change(hand, VERBS[0])
+    hand.click(NAME + "verb_values_cancel")
+    hand.wait(lambda: QtGui.QApplication.activeModalWidget() is None, 5, "the question to go")
+    hand.settle()
+    assert not hand.main(is_shown, NAME + "diff")
+
+
+def answers_in_words() -> bool:
+    """Tell whether the status bar says that nothing changes, or a box why nothing can."""
+    said = FreeCADGui.getMainWindow().statusBar().currentMessage()
+    return said == "Nothing changes." or bool(places.visible("CNCStepper_Tell_ok"))
+
+
+def choose_change(hand: Hand, verb: Any) -> None:
+    """Click a change in the menu below the editor's button."""
+    hand._click_place(hand._place(places.of_widget, NAME + "change", None))
+    hand._click_place(hand._place(places.popup_entry, verb.title))
+
+
+def give(hand: Hand, field: Any) -> None:
+    """Choose or type a value that is not the proposed one."""
+    if field.choices:
+        other = next(choice for choice in field.choices if choice != field.default)
+        hand.choose(f"{NAME}verb_{field.key}", other)
+        assert hand.text(f"{NAME}verb_{field.key}") == other
+    else:
+        hand.fill(f"{NAME}verb_{field.key}", "2")
+        hand.wait(lambda: places.find(f"{NAME}verb_{field.key}").value() == 2, 5, field.key)
+
+
+def test_the_bar_finds_replaces_and_reads_for_another_machine(hand: Hand, tmp_path: Path) -> None:
+    panel = opened(hand, tmp_path / "a.nc")
+    hand.click(NAME + "text", at=(200, 8))
+    hand.click(NAME + "find_begin")
+    hand.fill(NAME + "find", "g0")
+    for button, number in (("find_next", 4), ("find_next", 8), ("find_before", 4)):
+        hand.click(NAME + button)
+        hand.wait(lambda number=number: panel.edit.line == number, 5, f"{button} to go to line {number}")
+    hand.fill(NAME + "replace", "G00")
+    hand.click(NAME + "replace_one")
+    hand.wait(lambda: "G00 X0" in panel.text() and panel.text().count("G00") == 1, 5, "the replacement")
+    hand.choose(NAME + "machine", "torch-table")
+    hand.wait(lambda: panel.bar.machine == "torch-table", 5, "the machine")
+    read(hand, panel)
+    hand.click(NAME + "save_as")
+    hand.wait(lambda: is_shown(NAME + "file"), 5, "the question where")
+    hand.key("Escape")
+    hand.wait(lambda: not is_shown(NAME + "file"), 5, "its end")
+    assert hand.main(lambda: panel.modified)
 
 
 def test_what_was_typed_a_moment_ago_belongs_to_the_change(hand: Hand, tmp_path: Path) -> None:
@@ -311,10 +394,12 @@ def test_a_dark_theme_has_colours_of_its_own(hand: Hand, tmp_path: Path) -> None
     try:
         hand.main(window.setStyleSheet, dark)
         hand.wait(lambda: panel.edit.colours is not light, 5)
+        hand.wait(lambda: theme_colours.letters(theme_colours.ERROR) != theme_colours.ERROR, 5, "the lighter letters")
         hand.shot("editor-dark")
     finally:
         hand.main(window.setStyleSheet, before)
     hand.wait(lambda: panel.edit.colours is light, 5)
+    assert not hand.main(theme_colours.is_dark)
 
 
 def test_a_tooltip_says_why(hand: Hand, tmp_path: Path) -> None:

@@ -11,17 +11,16 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
-from PySide import QtGui
 from test_dock import D, own_sessions, says  # noqa: F401
 from test_own_controllers import twins  # noqa: F401
 
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.workbench import api
-from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.features.base import problem_of
 from CNCStepper.workbench.proving.proof_process import ProofRun
 from window_helpers import screen_places as places
+from window_helpers.docks import opened_dock
 from window_helpers.hand import Hand
 
 INDEX = Path(__file__).parents[2] / "examples" / "machines" / "mini-lathe-index.toml"
@@ -73,24 +72,13 @@ def new_job(name: str, machine: str) -> Any:
 @pytest.fixture
 def panel(hand: Hand) -> Iterator[Any]:
     """The dock's panel, with the profile that it had at the end."""
-    hand.command("CNCStepper_Controller")
-    hand.wait(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "CNCStepper_Dock"))
-    shown = hand.main(FreeCADGui.getMainWindow().findChild, QtGui.QDockWidget, "CNCStepper_Dock")
-    panel = hand.main(shown.widget)
-    before = hand.main(lambda: panel.connection.profile)
-    yield panel
 
-    def end() -> None:
-        panel.sending.away()
-        panel.link.leave()
+    def at_end(panel: Any) -> None:
         if panel.live.box.isChecked():
             panel.live.box.click()
-        panel.connection.machine.setCurrentText(before)
-        panel.connection.look(VIRTUAL)
-        panel.refresh()
-        shown.close()
 
-    hand.main(end)
+    with opened_dock(hand, at_end) as panel:
+        yield panel
     ProofRun._last = None
 
 

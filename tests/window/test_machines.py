@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any
 
 import FreeCADGui
@@ -66,11 +67,8 @@ def test_all_tabs_show_every_value_and_nothing_is_cut_off(hand: Hand, machines: 
 def test_a_copy_is_changed_and_saved_and_a_bad_value_is_told_at_its_field(hand: Hand, machines: Any) -> None:
     hand.main(machines.look, "table-a")
     hand.click(f"{M}_copy")
-    hand.wait(lambda: places.visible("qt_msgbox_buttonbox") or FreeCADGui.getMainWindow().findChild(
-        QtGui.QInputDialog) or dialog().findChild(QtGui.QInputDialog), what="the question")  # fmt: skip
-    hand.settle()
-    hand.type("shop")
-    hand.key("Return")
+    hand.fill(f"{M}_question_name", "shop")
+    hand.click(f"{M}_question_ok")
     hand.wait(lambda: dialog().name == "shop", what="the copy")
     show(hand, 1, "axis_x_steps_per_mm")
     hand.fill(f"{FIELD}_axis_x_steps_per_mm", "many")
@@ -126,6 +124,85 @@ def test_relays_and_inputs_are_added_line_by_line(hand: Hand, machines: Any) -> 
     assert hand.main(machines.save)
     assert [(one.name, one.device) for one in load_machine("torch-table").relay] == [("oxygen", "flood")]
     assert "your copy" in hand.main(machines.about.text)
+
+
+def click_tab(hand: Hand, number: int) -> None:
+    bar = hand.main(lambda: dialog().tabs.tabBar())
+    middle = hand.main(lambda: bar.tabRect(number).center())
+    hand.click(bar, at=(middle.x(), middle.y()))
+    hand.wait(lambda: dialog().tabs.currentIndex() == number, what="the tab")
+
+
+def test_every_field_takes_what_a_hand_gives_and_revert_takes_all_back(hand: Hand, machines: Any) -> None:
+    hand.item(f"{M}_list", "thesis-table")
+    hand.wait(lambda: machines.name == "thesis-table", what="the profile")
+    hand.keyboard.learn("7")
+    for tab, section in enumerate(machines.sections.values()):
+        click_tab(hand, tab)
+        for path, field in section.fields.items():
+            give(hand, field.editor, partial(lambda path: machines.draft.texts[path], path))
+        for name, field in list(getattr(section, "pins", {}).items()):
+            give(hand, field.editor, partial(lambda name: machines.draft.pins.get(name, ""), name))
+        for key, editor in section.lists.items():
+            add_and_remove(hand, key, editor)
+    hand.click(f"{M}_revert")
+    hand.wait(lambda: not machines.draft.is_changed, what="the values of the file")
+    for button, title in (("new", "New machine"), ("copy", "Copy of thesis-table")):
+        hand.click(f"{M}_{button}")
+        hand.wait(lambda title=title: places.find(f"{M}_question").windowTitle() == title, what="the question")
+        hand.click(f"{M}_question_cancel")
+        hand.wait(lambda: not places.visible(f"{M}_question"), what="its end")
+    assert own_names() == []
+
+
+def give(hand: Hand, editor: Any, text: Callable[[], str]) -> None:
+    """Type, check or choose something in a field, and see that the draft holds it."""
+    before = hand.main(text)
+    if isinstance(editor, QtGui.QComboBox):
+        other = hand.main(lambda: next(n for n in range(editor.count()) if n != editor.currentIndex()))
+        hand.choose(editor, hand.main(editor.itemText, other))
+        hand.wait(lambda: text() == editor.itemData(other) != before, 5, editor.objectName())
+    elif isinstance(editor, QtGui.QLineEdit):
+        hand.tap(editor)
+        hand.keyboard.write("7")
+        hand.wait(lambda: text() == editor.text() != before and "7" in text(), 5, editor.objectName())
+    else:
+        boxes = [editor] if isinstance(editor, QtGui.QCheckBox) else list(editor.boxes.values())
+        for box in boxes:
+            before = hand.main(text)
+            hand.tap(box)
+            hand.wait(lambda before=before: text() != before, 5, box.objectName())
+
+
+def add_and_remove(hand: Hand, key: str, editor: Any) -> None:
+    """Add a line to a list, give each of its cells something, and remove it."""
+    lines = hand.main(lambda: len(editor.entries))
+    hand.click(f"{FIELD}_{key}_add")
+    hand.wait(lambda: len(editor.entries) == lines + 1, 5, "the new line")
+    entry = editor.entries[-1]
+    for place, row in enumerate(editor.table.columns):
+        text = partial(entry.__getitem__, row.path[-1])
+        box = hand.main(editor.grid.cellWidget, lines, place)
+        if box is not None:
+            give(hand, box, text)
+            continue
+        click_cell(hand, editor.grid, lines, place)
+        hand.type("7")
+        hand.key("Return")
+        hand.wait(lambda text=text: text() == "7", 5, row.path[-1])
+    click_cell(hand, editor.grid, lines, 0)
+    hand.click(f"{FIELD}_{key}_remove")
+    hand.wait(lambda: len(editor.entries) == lines, 5, "the line to go")
+
+
+def click_cell(hand: Hand, grid: Any, line: int, place: int) -> None:
+    def middle() -> tuple[int, int]:
+        grid.scrollTo(grid.model().index(line, place))
+        rect = grid.visualRect(grid.model().index(line, place))
+        return rect.center().x(), rect.center().y()
+
+    hand.click(hand.main(grid.viewport), at=hand.main(middle))
+    hand.wait(lambda: (grid.currentRow(), grid.currentColumn()) == (line, place), 5, "the cell")
 
 
 def note_text(key: str) -> str:

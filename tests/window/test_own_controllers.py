@@ -9,17 +9,15 @@ from pathlib import Path
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
 import pytest
-from PySide import QtGui
 from test_dock import D, own_sessions, says  # noqa: F401
-from test_machines import FIELD, M, cut_off, dialog, machines, show  # noqa: F401
+from test_machines import FIELD, M, click_tab, cut_off, dialog, machines, show  # noqa: F401
 
 from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.machine.files.profile_files import own_folder
 from CNCStepper.machine.profile import load_machine
-from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from window_helpers import screen_places as places
+from window_helpers.docks import opened_dock
 from window_helpers.hand import Hand
 from window_helpers.twin import Twin
 
@@ -31,42 +29,16 @@ LINES = ["G21G90G94", "G1X20F300", "G1Y15", "G1X0"]
 @pytest.fixture
 def dock(hand: Hand) -> Iterator[Any]:
     """The dock's panel, disconnected at the end, with the profile that it had."""
-    hand.command("CNCStepper_Controller")
-    hand.wait(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDockWidget, "CNCStepper_Dock"))
-    shown = hand.main(FreeCADGui.getMainWindow().findChild, QtGui.QDockWidget, "CNCStepper_Dock")
-    panel = hand.main(shown.widget)
-    before = hand.main(lambda: panel.connection.profile)
-    yield panel
-    hand.main(panel.link.command, "stop")
-    hand.wait(lambda: not panel.link.moment.job_runs, 20)
 
-    def end() -> None:
-        panel.sending.away()
-        panel.link.leave()
+    def at_end(panel: Any) -> None:
         panel.by_line.setChecked(False)
-        panel.connection.machine.setCurrentText(before)
-        panel.connection.look(VIRTUAL)
-        panel.refresh()
-        shown.close()
-        for name in list(FreeCAD.listDocuments()):
-            FreeCAD.closeDocument(name)
 
-    hand.main(end)
+    with opened_dock(hand, at_end) as panel:
+        yield panel
+        hand.main(panel.link.command, "stop")
+        hand.wait(lambda: not panel.link.moment.job_runs, 20)
+    hand.main(lambda: [FreeCAD.closeDocument(name) for name in list(FreeCAD.listDocuments())])
     hand.settle()
-
-
-@pytest.fixture
-def twins(tmp_path: Path) -> Iterator[Any]:
-    """What starts a virtual machine of a kind; all are ended."""
-    started: list[Twin] = []
-
-    def start(kind: str, *options: str) -> Twin:
-        started.append(Twin(kind, tmp_path, *options))
-        return started[-1]
-
-    yield start
-    for twin in started:
-        twin.end()
 
 
 def connect(hand: Hand, kind: str, twin: Twin) -> None:
@@ -87,13 +59,6 @@ def open_test(hand: Hand, kind: str) -> Any:
     test = hand.main(lambda: dialog().test)
     hand.wait(lambda: test.bench.status is not None, 20, "the machine")
     return test
-
-
-def click_tab(hand: Hand, number: int) -> None:
-    bar = hand.main(lambda: dialog().tabs.tabBar())
-    middle = hand.main(lambda: bar.tabRect(number).center())
-    hand.click(bar, at=(middle.x(), middle.y()))
-    hand.wait(lambda: dialog().tabs.currentIndex() == number, what="the tab")
 
 
 def close_dialog(hand: Hand) -> None:
@@ -128,10 +93,8 @@ def test_a_profile_of_each_machine_is_copied_changed_and_saved(hand: Hand, machi
         assert not hand.main(lambda: machines.tabs.currentWidget().horizontalScrollBar().isVisible())
         assert hand.main(cut_off) == []
     hand.click(f"{M}_copy")
-    hand.wait(lambda: dialog().findChild(QtGui.QInputDialog), what="the question")
-    hand.settle()
-    hand.type(f"my-{kind}")
-    hand.key("Return")
+    hand.fill(f"{M}_question_name", f"my-{kind}")
+    hand.click(f"{M}_question_ok")
     hand.wait(lambda: dialog().name == f"my-{kind}", what="the copy")
     click_tab(hand, 1)
     hand.fill(f"{FIELD}_axis_x_travel_max_mm", "123.5")

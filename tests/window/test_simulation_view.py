@@ -220,6 +220,11 @@ def test_it_plays_steps_and_follows_the_program(hand: Hand, job: Any) -> None:
     marked = hand.main(lambda: task.form.program.currentIndex().row() + 1)
     assert marked == task._player.line
     hand.shot("simulation-stepped")
+    for name, value in (("time", lambda: task._player.time_s), ("speed", lambda: task._player.speed)):
+        slider, before = hand.find(f"CNCStepper_Simulation_{name}"), hand.main(value)
+        hand.click(slider, at=hand.main(lambda slider=slider: (slider.width() - 4, slider.height() // 2)))
+        hand.wait(lambda value=value, before=before: value() > before, 5, f"the {name} to rise")
+    assert not hand.text("CNCStepper_Simulation_speed_text").startswith("1 ")
 
 
 @pytest.mark.window("plain", "portuguese")
@@ -233,6 +238,9 @@ def test_the_menu_chooses_from_where_the_part_is_seen_and_how_near(hand: Hand, j
         assert along == pytest.approx(np.array(seen) / np.linalg.norm(seen), abs=1e-3), name
         assert hand.main(path.isChecked) == (name != "depth")
         hand.shot(f"simulation-{name}")
+    for is_on in (False, True):
+        hand.click(path)
+        hand.wait(lambda is_on=is_on: path.isChecked() == is_on, 5, "the path's box")
     whole_mm = hand.main(seen_mm)
     choose_view(hand, "nearer")
     assert hand.main(seen_mm) < whole_mm
@@ -297,10 +305,10 @@ def test_one_step_is_a_line_a_move_or_a_pulse(hand: Hand, job: Any) -> None:
     player, moves = task._player, task._result.moves
     steps = hand.find("CNCStepper_Simulation_step_by")
     begun_s = player.time_s
-    hand.main(steps.setCurrentIndex, 1)
+    hand.choose(steps, hand.main(steps.itemText, 1))
     hand.click("CNCStepper_Simulation_forward")
     assert player.time_s == moves.ends_s[np.searchsorted(moves.ends_s, begun_s)]
-    hand.main(steps.setCurrentIndex, 2)
+    hand.choose(steps, hand.main(steps.itemText, 2))
     stood = [player.time_s]
     for _ in range(3):
         hand.click("CNCStepper_Simulation_forward")

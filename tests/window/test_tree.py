@@ -430,7 +430,9 @@ def test_the_menu_moves_and_duplicates(hand: Hand, ordered: Any) -> None:
     hand.tree("d")
     hand.menu("CNCStepper", "Move up")
     hand.wait(lambda: order(ordered)[3] == "d")
-    for _ in range(3):
+    hand.menu("CNCStepper", "Move down")
+    hand.wait(lambda: order(ordered)[4] == "d")
+    for _ in range(4):
         hand.undo()
     hand.wait(lambda: order(ordered) == list(ORDER) and len(ordered.Document.Objects) == 8)
 

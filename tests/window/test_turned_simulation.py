@@ -134,7 +134,7 @@ def test_a_turned_part_is_played_stepped_and_clicked(hand: Hand, job: Any) -> No
     ready(hand, task)
     hand.click("CNCStepper_Simulation_start")
     steps = hand.find("CNCStepper_Simulation_step_by")
-    hand.main(steps.setCurrentIndex, 2)
+    hand.choose(steps, hand.main(steps.itemText, 2))
     ends_s = list(task._player.operations_s)
     for end_s in ends_s:
         hand.click("CNCStepper_Simulation_forward")
@@ -146,6 +146,12 @@ def test_a_turned_part_is_played_stepped_and_clicked(hand: Hand, job: Any) -> No
     for z_mm in (-90.0, -120.0):  # beside FreeCAD 1.1's panel, which lies over the view; a pixel is 0.5 mm
         hand.click_view(hand.view_point(4, 0, z_mm))
         assert hand.main(hand.find("CNCStepper_Simulation_z").value) == pytest.approx(z_mm, abs=1.5)
+    opening = hand.find("CNCStepper_Simulation_opening")
+    other = hand.main(lambda: (opening.currentIndex() + 1) % opening.count())
+    hand.choose(opening, hand.main(opening.itemText, other))
+    assert hand.main(opening.currentIndex) == other
+    hand.fill("CNCStepper_Simulation_z", "-50")
+    hand.wait(lambda: "⌀" in hand.text("CNCStepper_Simulation_reading"), 10, "the diameter there")
     ready(hand, task)
     hand.shot("turned-clicked")
     hand.main(task.reject)

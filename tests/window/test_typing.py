@@ -137,7 +137,7 @@ class Typist:
     def type_all(self, line: Any) -> None:
         """Type all texts, one after the other, each key applied; then what stood there, at speed."""
         before = self.hand.main(partial(content, line))
-        self.hand.main(partial(focus, line))
+        self.hand.click(line)
         self.each_key = True
         for text in (*WHOLE, ""):
             self.replace(line, text)

@@ -160,6 +160,10 @@ class Hand:
             print(f"{target} did not see the click", flush=True)
         raise AssertionError(f"{target} does not see clicks; {self.describe()}")
 
+    def tap(self, target: Target) -> None:
+        """Click a widget that rests already, of many one after the other; the caller looks at the effect of each."""
+        self._click_place(self.main(places.of_widget, target, None))
+
     def _is_soon(self, condition: Callable[..., bool], *arguments: Any) -> bool:
         """Return whether a condition holds after what was clicked; a second click may come too late for the first."""
         until_s = time.monotonic() + SEEN_S

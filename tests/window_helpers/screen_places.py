@@ -16,7 +16,6 @@ except ImportError:
     from shiboken2 import isValid
 
 Point = tuple[float, float]
-PANEL_BUTTONS = {"CNCStepper_Panel_ok": "OK", "CNCStepper_Panel_cancel": "Cancel"}
 
 
 def _scale() -> float:
@@ -38,10 +37,7 @@ def all_widgets() -> list[Any]:
 
 
 def visible(name: str) -> list[Any]:
-    """Return the visible widgets with this objectName, or a panel's OK or Cancel, which are FreeCAD's and nameless."""
-    if name in PANEL_BUTTONS:
-        buttons = [w for w in all_widgets() if isinstance(w, QtGui.QPushButton) and w.isVisible()]
-        return [w for w in buttons if _plain(w.text()) == PANEL_BUTTONS[name]]
+    """Return the visible widgets with this objectName."""
     return [w for w in all_widgets() if w.objectName() == name and w.isVisible()]
 
 

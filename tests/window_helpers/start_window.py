@@ -38,7 +38,7 @@ SCREEN = (1600, 1000)  # in Qt's pixels: with QT_SCALE_FACTOR=2 the screen has t
 XDG_FOLDERS = ("CONFIG_HOME", "DATA_HOME", "STATE_HOME", "RUNTIME_DIR")  # not the cache: compiled kernels stay there
 USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp">
- <FCParamGroup Name="MainWindow"><FCParamGroup Name="DockWindows">
+ <FCParamGroup Name="MainWindow">{theme}<FCParamGroup Name="DockWindows">
   <FCBool Name="Std_ComboView" Value="1"/>
   <FCBool Name="Std_ReportView" Value="1"/>
   <FCBool Name="Std_PythonView" Value="0"/>
@@ -62,6 +62,8 @@ USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
   </FCParamGroup></FCParamGroup></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
+
+DARK_THEME = '<FCText Name="StyleSheet">{}</FCText><FCText Name="Theme">FreeCAD Dark</FCText>'
 
 
 def program(name: str) -> str:
@@ -101,11 +103,17 @@ def freecad_command(version: str) -> list[str]:
     return [str(ROOT / "tools" / "in_root.sh"), version, "freecad"]
 
 
-def make_home(home: Path, language: str = "English", autoload: str = "CNCStepperWorkbench") -> None:
-    """Make a user's folder with which FreeCAD opens that workbench and asks nothing at its first start."""
+def make_home(
+    home: Path, language: str = "English", autoload: str = "CNCStepperWorkbench", style_sheet: str = ""
+) -> None:
+    """Make a user's folder with which FreeCAD opens that workbench and asks nothing at its first start.
+
+    style_sheet: the name of one of FreeCAD's own, "" for none.
+    """
     for kind in XDG_FOLDERS:
         (home / kind.lower()).mkdir(mode=0o700, parents=True, exist_ok=True)
-    settings = USER_CFG.format(language=language, autoload=autoload, as_a_person=int(AS_A_PERSON))
+    theme = DARK_THEME.format(style_sheet) if style_sheet else ""
+    settings = USER_CFG.format(language=language, autoload=autoload, as_a_person=int(AS_A_PERSON), theme=theme)
     (home / "user.cfg").write_text(settings, encoding="utf-8")
 
 
@@ -197,12 +205,12 @@ def run(version: str, kind: str, arguments: Sequence[str], environment: Mapping[
         screen(scale) as display,
     ):
         status_file = Path(folder) / "status"
-        language, autoload = (
-            asked.get(window_kinds.LANGUAGE, "English"),
-            asked.get(window_kinds.AUTOLOAD, "CNCStepperWorkbench"),
+        autoload = asked.get(window_kinds.AUTOLOAD, "CNCStepperWorkbench")
+        language, style_sheet = (
+            window_kinds.RENAMED.get(version, {}).get(name, name)
+            for name in (asked.get(window_kinds.LANGUAGE, "English"), asked.get(window_kinds.STYLE_SHEET, ""))
         )
-        language = window_kinds.RENAMED.get(version, {}).get(language, language)
-        make_home(Path(folder) / "home", language, autoload)
+        make_home(Path(folder) / "home", language, autoload, style_sheet)
         variables = {
             "CNCSTEPPER_PYTEST": "\n".join(arguments),
             "CNCSTEPPER_WINDOW_STATUS": str(status_file),

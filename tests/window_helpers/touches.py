@@ -6,8 +6,9 @@ it is the name, whether the click was on its tool button or in a menu, of anothe
 Numbers of rows are left out of names: the fields of a table's second row are those of its first.
 
 Each run writes one file beside its pictures, `build/window/VERSION[-KIND]/touches.json`. A run of named tests adds to
-the file that is there. This script prints what nobody touched, over all kinds of one version:
-`.venv/bin/python tests/window_helpers/touches.py 0.20.2`; its exit status is 0 when nothing is left.
+the file that is there. This script prints what nobody touched, over all kinds of one version but those that click at
+random: `.venv/bin/python tests/window_helpers/touches.py host`; its exit status is 0 when nothing is left.
+`make matrix` prints the same at its end.
 """
 
 from __future__ import annotations
@@ -17,6 +18,9 @@ import re
 import sys
 from collections.abc import Iterable
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from window_helpers import window_kinds
 
 OURS = "CNCStepper_"
 FILE = "touches.json"
@@ -115,6 +119,13 @@ def _read(path: Path) -> Touches:
     return made
 
 
+def files(version: str) -> list[Path]:
+    """Return what the runs of a version have written, without the kinds on demand, which click at random."""
+    kinds = [f"-{kind}" for kind in window_kinds.KINDS if kind not in window_kinds.ON_DEMAND]
+    paths = [PICTURES / f"{version}{kind}" / FILE for kind in ("", *kinds)]
+    return [path for path in paths if path.exists()]
+
+
 def untouched(files: Iterable[Path]) -> list[str]:
     """Return what these runs have seen and none of them has touched."""
     runs = [_read(path) for path in files]
@@ -122,7 +133,7 @@ def untouched(files: Iterable[Path]) -> list[str]:
 
 
 if __name__ == "__main__":
-    found = sorted(PICTURES.glob(f"{sys.argv[1]}*/{FILE}"))
+    found = files(sys.argv[1])
     left = untouched(found)
     print("\n".join([f"{len(left)} untouched in {', '.join(path.parent.name for path in found)}:", *left]))
     sys.exit(bool(left) or not found)

@@ -3,13 +3,18 @@
 
 VARIABLE = "CNCSTEPPER_WINDOW_KIND"
 LANGUAGE = "CNCSTEPPER_WINDOW_LANGUAGE"  # as FreeCAD calls it
+STYLE_SHEET = "CNCSTEPPER_WINDOW_STYLE_SHEET"  # of FreeCAD's own, in which it starts
 WITHOUT = "CNCSTEPPER_WINDOW_WITHOUT"  # packages that FreeCAD's Python shall not find
 
 READY = "ready"  # the file beside that of the tests' status which says that the first test can begin
 
 AUTOLOAD = "CNCSTEPPER_WINDOW_AUTOLOAD"  # the workbench that FreeCAD opens at its start
 
-RENAMED = {"1.1.3": {"Portuguese, Brazilian": "Portuguese (Brazilian)"}}  # languages, by the FreeCAD that renamed them
+DARK = "Dark-blue.qss"
+RENAMED = {  # languages and style sheets, by the FreeCAD that renamed them
+    "1.0.0": {DARK: "FreeCAD Dark.qss"},
+    "1.1.3": {"Portuguese, Brazilian": "Portuguese (Brazilian)", DARK: "FreeCAD.qss"},
+}
 
 KINDS: dict[str, dict[str, str]] = {
     "plain": {},
@@ -19,6 +24,8 @@ KINDS: dict[str, dict[str, str]] = {
     # Its start is measured: our Init.py and InitGui.py run through timed_start/. It is soon over, so it makes the
     # documents, for which newer FreeCADs of `make matrix` wait.
     "timed": {AUTOLOAD: "NoneWorkbench"},
+    "dark": {STYLE_SHEET: DARK},  # the tests of the plain kind in a dark theme, for their pictures
     "monkey": {},
 }
-ON_DEMAND = ("monkey",)  # kinds that take hours, which `make matrix` leaves out
+AS_PLAIN = ("dark",)  # kinds that run the tests of the plain one
+ON_DEMAND = ("dark", "monkey")  # kinds whose pictures are looked at, or that take hours: `make matrix` leaves them out

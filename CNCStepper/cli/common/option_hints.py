@@ -56,6 +56,8 @@ def add_conversion(error: ProgramError, context: click.Context) -> None:
     program = context.params.get("program")
     if not isinstance(program, Path) or context.info_name in ALREADY_CONVERTS:
         return
+    if error.code == "tool-diameter":  # of a program that the verb reads: another dialect knows no more of the tool
+        return
     if context.params.get("dialect"):  # who says what the program is does not want it taken for something else
         return
     if program.is_file() and program.stat().st_size <= MOST_BYTES and (text := _conversion(program, context, error)):

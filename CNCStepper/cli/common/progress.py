@@ -9,8 +9,13 @@ import time
 from types import TracebackType
 from typing import TextIO
 
+from CNCStepper import kernel_cache
+from CNCStepper.cli.common.language import translated
+from CNCStepper.errors import Text
+
 PATIENCE_S = 1.0
 AGAIN_S = 0.2
+COMPILED_S = 5.0  # no kernel takes longer to be compiled
 LOG_EVERY_S = 10.0  # where the stream is no terminal, such as a file or the log of a build
 
 
@@ -51,13 +56,20 @@ class Progress:
     def _show(self) -> None:
         wait_s = self._patience_s
         while not self._over.wait(wait_s):
-            share = f" {self._share:.0%}" if self._share else ""
-            text = f"{self._doing}:{share} {time.monotonic() - self._begun_s:.0f} s"
+            text = self._line()
             if self._is_terminal:
-                self._write(f"{text} (Ctrl+C stops it)")
+                self._write(translated(Text("{text} (Ctrl+C stops it)", text=text)))
             else:
                 print(text, file=self._stream, flush=True)
             wait_s = AGAIN_S if self._is_terminal else LOG_EVERY_S
+
+    def _line(self) -> str:
+        """Return the stage, the share and the time, and why a first run takes so long."""
+        share = f" {self._share:.0%}" if self._share else ""
+        line = f"{translated(self._doing)}:{share} {time.monotonic() - self._begun_s:.0f} s"
+        if kernel_cache.has_grown(COMPILED_S):
+            line += ", " + translated(Text("compiling the kernels, once for this computer"))
+        return line
 
     def _write(self, text: str) -> None:
         """Write the line over the one before."""

@@ -17,6 +17,7 @@ from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.drawing.reading_options import ReadingOptions, reading_options
+from CNCStepper.errors import Text
 
 if TYPE_CHECKING:
     from CNCStepper.drawing.drawing import Drawing
@@ -62,9 +63,9 @@ def command(
     limits = RepairLimits(
         join_mm=reading.join_mm, close_mm=close_mm, double_mm=double_mm, tiny_mm=tiny_mm, fit_mm=fit_mm or 0.0
     )
-    with Progress(f"reading {file.name}") as progress:
+    with Progress(Text("reading {name}", name=file.name)) as progress:
         drawing = read_named_drawing(file, reading.read_options(near_mm=close_mm), progress.share)
-        progress.doing(f"looking at {file.name}")
+        progress.doing(Text("looking at {name}", name=file.name))
         changes: tuple[Change, ...] = ()
         if mend:
             drawing, changes = mended(drawing, limits)

@@ -13,6 +13,7 @@ from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 
 
 @click.command("job", cls=Verb)
@@ -47,7 +48,7 @@ def command(
 
     rules = read_template(template)
     out.parent.mkdir(parents=True, exist_ok=True)
-    with Progress(f"reading {drawing.name}") as progress:
+    with Progress(Text("reading {name}", name=drawing.name)) as progress:
         if drawing.suffix.casefold() == SCRIPT:
             drawing = drawing_of_script(rules, drawing, out, progress.share)
             show_text("{drawing}: written, what the script draws", drawing=drawing)

@@ -15,10 +15,11 @@ from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 from CNCStepper.output_files import MADE_BY
 from CNCStepper.state import Start
 
-STAGES = {"read": "reading", "write": "writing", "compare": "reading back what was made of"}
+STAGES = {"read": Text("reading"), "write": Text("writing"), "compare": Text("reading back what was made of")}
 
 
 @click.command("convert", cls=Verb)
@@ -76,8 +77,8 @@ def command(
     lengths_mm = {number: tool.offset_mm[2] for number, tool in start.tools.items()}
     chosen["title"] = f"{MADE_BY} from {program.name}"
     chosen |= {"leave_out": leave_out, "tool_lengths_mm": lengths_mm}
-    with Progress(f"converting {program.name}") as progress:
-        chosen["tell"] = lambda stage: progress.doing(f"{STAGES[stage]} {program.name}")
+    with Progress(Text("converting {name}", name=program.name)) as progress:
+        chosen["tell"] = lambda stage: progress.doing(Text("{stage} {name}", stage=STAGES[stage], name=program.name))
         chosen["share"] = progress.share
         made = convert(read_program(program), dialect or "linuxcnc", target, start, str(program), **chosen)
     for note in made.notes:

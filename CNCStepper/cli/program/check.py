@@ -52,22 +52,22 @@ def regular_file(program: Path) -> Iterator[Path]:
 
     with TemporaryDirectory(prefix="cncstepper-pipe-") as folder:
         file = Path(folder) / "program.nc"
-        with Progress(f"reading {program.name}") as progress, file.open("wb") as copy:
+        with Progress(Text("reading {name}", name=program.name)) as progress, file.open("wb") as copy:
             read = 0
             for piece in byte_pieces(program):
                 read += copy.write(piece)
-                progress.doing(f"reading {program.name}, {read / MB:.0f} MB so far")
+                progress.doing(Text("reading {name}, {read_mb:.0f} MB so far", name=program.name, read_mb=read / MB))
         yield file
 
 
 STAGES = {
-    "make": "making the shapes of",
-    "read": "reading back",
-    "cut": "cutting the stock by",
-    "time": "timing",
-    "judge": "judging the part of",
-    "check": "checking",
-    "report": "reporting on",
+    "make": Text("making the shapes of"),
+    "read": Text("reading back"),
+    "cut": Text("cutting the stock by"),
+    "time": Text("timing"),
+    "judge": Text("judging the part of"),
+    "check": Text("checking"),
+    "report": Text("reporting on"),
 }
 
 
@@ -109,7 +109,7 @@ def command(
         proof, _ = lathe.prove(text, given, machine, str(program), asked.language, start, part)
         _conclude(proof, program, json_path, certificate)
     job = job_of(given.job_path) if given.job_path else None
-    with Progress(f"{STAGES['make']} {program.name}"):
+    with Progress(Text("{stage} {name}", stage=STAGES["make"], name=program.name)):
         earlier = prior_parts(job, machine, part) if job else []
     with regular_file(program) as file:
         if job and earlier:
@@ -144,8 +144,8 @@ def _check_after(earlier: list[Proof], job: Job, file: Path, asked: _Asked) -> N
     text = read_program(file)
     _require_readable(text, job.started(asked.start, machine), asked.language, program)
     words: dict[str, Any] = {"file": str(program), "dialect": asked.language, "start": asked.start}
-    with Progress(f"checking {program.name}") as progress:
-        words["tell"] = lambda stage: progress.doing(f"{STAGES[stage]} {program.name}")
+    with Progress(Text("checking {name}", name=program.name)) as progress:
+        words["tell"] = lambda stage: progress.doing(Text("{stage} {name}", stage=STAGES[stage], name=program.name))
         proof = prove_job(job, machine, text, earlier=earlier, share=progress.share, **words)
     _conclude(proof, program, asked.json_path, asked.certificate)
 
@@ -177,7 +177,7 @@ def _check_in_pieces(prove: Callable[..., FileProof], file: Path, start: Start |
     program, certificate = asked.program, asked.certificate
     with TemporaryDirectory(prefix="cncstepper-check-") as folder:
         try:
-            with Progress(f"checking {program.name}") as progress:
+            with Progress(Text("checking {name}", name=program.name)) as progress:
                 proof = prove(
                     file,
                     asked.machine,
@@ -186,7 +186,7 @@ def _check_in_pieces(prove: Callable[..., FileProof], file: Path, start: Start |
                     start=asked.start,
                     sent=Path(folder) if certificate else None,
                     share=progress.share,
-                    tell=lambda stage: progress.doing(f"{STAGES[stage]} {program.name}"),
+                    tell=lambda stage: progress.doing(Text("{stage} {name}", stage=STAGES[stage], name=program.name)),
                 )
         except ProgramError as error:
             _end_unread(refusals_of_file(file, start, asked.language, str(program)) or [error], program)
@@ -197,7 +197,7 @@ def _require_readable(text: str, start: Start | None, language: str, program: Pa
     """End the command with status 1 and the reason where lines of a program cannot be read or sent."""
     from CNCStepper.gcode.wire.read_back import refused_lines
 
-    with Progress(f"reading {program.name}"):
+    with Progress(Text("reading {name}", name=program.name)):
         refused = list(refused_lines(text, start, language, str(program)))
     if refused:
         _end_unread(refused, program)
@@ -208,7 +208,7 @@ def refusals_of_file(program: Path, start: Start | None, language: str, name: st
     from CNCStepper.gcode.interpreter.program_file import FileReading
     from CNCStepper.gcode.wire.read_back import MOST_REFUSALS
 
-    with Progress(f"reading {Path(name or program).name}") as progress:
+    with Progress(Text("reading {name}", name=Path(name or program).name)) as progress:
         reading = FileReading(program, start, language, progress=progress.share, name=name)
         return list(islice(reading.refusals(), MOST_REFUSALS))
 

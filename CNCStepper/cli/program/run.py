@@ -18,6 +18,7 @@ from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import is_turning_file, job_and_machine
 from CNCStepper.cli.program.run_turning import run_turning
+from CNCStepper.errors import Text
 from CNCStepper.output_files import MADE_BY
 
 if TYPE_CHECKING:
@@ -68,10 +69,10 @@ def _whole(job: Job, machine: Machine, path: Path, out: Path) -> bool:
     from CNCStepper.job.prove import prove_job
 
     file = out / "program.nc"
-    with Progress(f"making {file.name}") as progress:
+    with Progress(Text("making {name}", name=file.name)) as progress:
         made = make_program(job, machine, f"{MADE_BY}: {path.stem}")
         _write_program(file, made.program)
-        progress.doing(f"proving {file.name}")
+        progress.doing(Text("proving {name}", name=file.name))
         proof = prove_job(job, machine, made.program, str(file), share=progress.share, answers=made.answers)
     _conclude(proof, file, "", path.stem, job, plain_options({"--job": [path]}))
     return proof.refused
@@ -83,7 +84,7 @@ def _split(job: Job, machine: Machine, path: Path, out: Path) -> bool:
     from CNCStepper.job.prove import prove_parts
 
     refused = False
-    with Progress(f"making the programs of {path.name}"):
+    with Progress(Text("making the programs of {name}", name=path.name)):
         parts = make_parts(job, machine, f"{MADE_BY}: {path.stem}")
     for part in parts:
         _write_program(out / part.file_name, part.program)

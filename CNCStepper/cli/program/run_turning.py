@@ -8,6 +8,7 @@ from pathlib import Path
 from CNCStepper.cli.common.findings_output import save, show_figures, show_findings, write_report
 from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.progress import Progress
+from CNCStepper.errors import Text
 from CNCStepper.output_files import MADE_BY
 
 
@@ -19,7 +20,7 @@ def run_turning(path: Path, out: Path) -> bool:
     from CNCStepper.job.turning.turning_job import load_turning_job
 
     proofs = []
-    with Progress(f"making the programs of {path.name}"):
+    with Progress(Text("making the programs of {name}", name=path.name)):
         job, machine = load_turning_job(path)
         programs = make_turning(job, machine, f"{MADE_BY}: {path.stem}")
     for program in programs:

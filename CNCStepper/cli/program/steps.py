@@ -83,7 +83,7 @@ def command(
     """
     if coils and form != "coils":
         raise click.UsageError(Text("--coils belongs to --as coils"))
-    with Progress(f"stepping {program.name}") as progress:
+    with Progress(Text("stepping {name}", name=program.name)) as progress:
         if every_ms is not None:
             stream = _letters(program, every_ms, from_s, back or from_s is not None)
         else:

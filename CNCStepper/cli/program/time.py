@@ -17,6 +17,7 @@ from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.start_state_options import StartOptions, start_options
 from CNCStepper.cli.common.streamed_program import program_chunks
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 from CNCStepper.machine.profile import Machine
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ def command(program: Path, machine: Machine, dialect: str | None, given: StartOp
     text = None if program.is_file() else read_program(program)  # a pipe can be read only once
 
     def taken_s(start: Start) -> float:
-        with Progress(f"timing {program.name}") as progress:
+        with Progress(Text("timing {name}", name=program.name)) as progress:
             return _taken_s(*program_chunks(program, start, language, progress, text), machine, language)
 
     try:

@@ -227,8 +227,10 @@ def _proven(
     from CNCStepper.recovery.restart.prove_restart import restart_job, restart_program
 
     words: dict[str, Any] = {"file": str(program), "dialect": against.dialect, "start": against.start}
-    with Progress(f"reading {program.name}") as progress:
-        words["tell"] = lambda stage: progress.doing(f"{STAGES[stage]} the restart of {program.name}")
+    with Progress(Text("reading {name}", name=program.name)) as progress:
+        words["tell"] = lambda stage: progress.doing(
+            Text("{stage} the restart of {name}", stage=STAGES[stage], name=program.name)
+        )
         words["share"] = progress.share
         machine, job = against.machine, against.job
         if job:

@@ -94,7 +94,7 @@ def command(
     runs = _workers(workers, cluster, [key for key in (tls_ca, tls_cert, tls_key) if key])
     size_mm = (sheet[0], sheet[1]) if sheet else None
     out.mkdir(parents=True, exist_ok=True)
-    with Progress(f"reading {order.name}") as progress, runs:
+    with Progress(Text("reading {name}", name=order.name)) as progress, runs:
 
         def show(doing: str, share: float) -> None:
             progress.doing(doing)

@@ -17,6 +17,7 @@ from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 
 if TYPE_CHECKING:
     from CNCStepper.job.nesting.order_file import Order
@@ -55,7 +56,7 @@ def command(order: Path, time_s: float, out: Path, seed: int, common_lines: bool
 
     read = with_common_lines(read_order(order)) if common_lines else read_order(order)
     parts = sum(item.count + len(item.locked) for item in read.items)
-    with Progress("nesting") as progress:
+    with Progress(Text("nesting")) as progress:
         budget = Budget(time_s, progress=progress.share)
         packer = None if no_spyrrow else strip_packer()
         if packer is None and not no_spyrrow:
@@ -99,7 +100,7 @@ def _stopped_by_ctrl_c(budget: Budget) -> Iterator[None]:
 def _tell_saving(saving: Saving) -> None:
     for note in saving.notes:
         show_text("   note: {note}", err=True, note=note)
-    click.echo(saving.sentence)
+    show_text(saving.sentence)
 
 
 def _tell(order: Order, layout: Layout) -> None:
@@ -108,5 +109,6 @@ def _tell(order: Order, layout: Layout) -> None:
         show_text(
             "   not placed: {count} of {name}: {why}", err=True, count=unplaced.count, name=name, why=unplaced.why
         )
-    kind = "a strip" if order.strip_height_mm else f"{len(layout.sheets)} sheets of {len(order.sheets)}"
+    used = Text("{used} sheets of {given}", used=len(layout.sheets), given=len(order.sheets))
+    kind = Text("a strip") if order.strip_height_mm else used
     show_text("{placements} parts on {kind}", placements=len(layout.placements), kind=kind)

@@ -98,7 +98,7 @@ def command(
     if shop:
         size_mm = sheet_size_mm(shop, size_mm)
         shop = on_sheets(shop, size_mm)
-    with Progress("slicing"):
+    with Progress(Text("slicing")):
         stack = stack_of(sections_of(solid, axis.lower(), thickness_mm, scale), names, hole_mm)
     _write_stack(stack, out, f"{solid.stem}, axis {axis.upper()}")
     if size_mm is None:
@@ -141,7 +141,7 @@ def _nest(
     from CNCStepper.job.slicing.make_slices import nest_stack
     from CNCStepper.job.slicing.slice_files import nest_order
 
-    with Progress("nesting") as progress:
+    with Progress(Text("nesting")) as progress:
         nested = nest_stack(nest_order(stack, size_mm, gap_mm, margin_mm), time_s, out, progress.share)
     layout = nested.layout
     for why in nested.unplaced:
@@ -160,13 +160,13 @@ def _make(template: Template, out: Path, numbers: Sequence[int], thickness_mm: f
     """Write the programs of the sheets, print what became of each, and return whether all are sound."""
     from CNCStepper.job.slicing.slice_programs import write_programs
 
-    with Progress("making and proving") as progress:
+    with Progress(Text("making and proving")) as progress:
         made = []
         for each in write_programs(template, out, numbers, thickness_mm):
             made.append(each)
             progress.share(len(made) / len(numbers))
     for each in made:
-        for why in (*each.refused, *([str(each.error)] if each.error else [])):
+        for why in (*each.refused, *([each.error] if each.error else [])):
             show_text("   sheet {number}: {why}", err=True, number=each.number, why=why)
     sound = [each for each in made if each.is_sound]
     show_text(

@@ -30,9 +30,9 @@ def from_the_chuck(setup: TurningSetup) -> TurningSetup:
     _require_open(setup.profile, setup.radius_mm)
     tool = setup.tool.mirrored()
     slope_deg = MOST_LEAD_DEG if tool.is_round else min(max(tool.edges_deg[1], LEAST_LEAD_DEG), MOST_LEAD_DEG)
-    profile = _with_lead(setup.profile.mirrored_x().reversed(), CLEAR_MM / tan(radians(slope_deg)))
+    profile = _with_lead(_over_the_face(setup).mirrored_x().reversed(), CLEAR_MM / tan(radians(slope_deg)))
     start = (-setup.start[0], setup.start[1])
-    return replace(setup, tool=tool, profile=profile, start=start, face_mm=float(profile.xy[0, 0]))
+    return replace(setup, tool=tool, profile=profile, start=start, face_mm=float(profile.xy[0, 0]), is_mirrored=True)
 
 
 def _require_open(profile: Curve, radius_mm: float) -> None:
@@ -41,6 +41,16 @@ def _require_open(profile: Curve, radius_mm: float) -> None:
         what = "a left-hand insert comes from the end of the profile, which lies below the bar's surface"
         value, limit = f"radius {end_mm:g} mm", f"radius {radius_mm:g} mm"
         raise CycleError("profile-end", what, value=value, limit=limit, advice="let the profile end at the bar")
+
+
+def _over_the_face(setup: TurningSetup) -> Curve:
+    """Return the profile with a level piece before the raw end it begins at, so that the nose leaves the bar there."""
+    profile, nose_mm = setup.profile, setup.tool.nose_mm
+    assert profile is not None
+    z, r = profile.xy[0].tolist()
+    if z < setup.face_mm - SAME_MM:
+        return profile
+    return Curve(np.vstack([[(z + 2 * nose_mm + CLEAR_MM, r)], profile.xy]), np.concatenate([[0.0], profile.bulge]))
 
 
 def _with_lead(profile: Curve, run_mm: float) -> Curve:

@@ -17,6 +17,7 @@ from itertools import pairwise
 import numpy as np
 import shapely
 
+from CNCStepper.cycles.turning import insert_choice
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
 from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
@@ -111,14 +112,16 @@ def require_reach(profile: Curve, setup: TurningSetup, side: float) -> None:
         value = Text("front edge at {front:.4g} deg", front=front)
         needs = "at most {rising:.4g} deg: an entering angle of {entering:.4g} deg or more"
         limit = Text(needs, rising=rising, entering=180 - rising)
-        raise CycleError("insert-front", what, value=value, limit=limit, advice="use another insert or holder")
+        advice = insert_choice.advice(profile, setup, side, rising, falling)
+        raise CycleError("insert-front", what, value=value, limit=limit, advice=advice)
     if falling > back + SAME_EDGE_DEG:
         what = "the back edge of the insert does not reach the profile"
         value = Text("back edge at {back:.4g} deg", back=back)
         has_nose = front - falling >= LEAST_NOSE_DEG
         needs = "at least {falling:.4g} deg: a nose angle of {nose:.4g} deg or less"
         limit = Text(needs if has_nose else "at least {falling:.4g} deg", falling=falling, nose=front - falling)
-        raise CycleError("insert-back", what, value=value, limit=limit, advice="use a more pointed insert or a groove")
+        advice = insert_choice.advice(profile, setup, side, rising, falling)
+        raise CycleError("insert-back", what, value=value, limit=limit, advice=advice)
     _require_nose(profile, setup)
 
 

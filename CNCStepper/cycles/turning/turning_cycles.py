@@ -33,6 +33,9 @@ CUT: dict[str, Callable[[Any, TurningSetup, TurningMoves], dict[str, float]]] = 
 }
 
 
+IN_A_HOLE = ("turn_groove", "turn_thread")  # cycles that an inside tool cuts besides
+
+
 def cut(number: int, operation: TurningOperation, setup: TurningSetup, moves: TurningMoves) -> TurningAnswer:
     """Append the moves of one operation and return what it wants; raises CycleError before the first move."""
     _require_tool(operation, setup.tool, setup)
@@ -72,6 +75,8 @@ def _require_tool(operation: TurningOperation, tool: TurningTool, setup: Turning
         raise CycleError("ap-high", what, value=f"{ap_mm:g} mm", limit=limit, advice="lower ap_mm")
     if operation.cycle in BY_EDGE:
         _require_turning_tool(operation, tool, setup)
+    elif operation.cycle in IN_A_HOLE:
+        _require_hole(tool, setup)
 
 
 def _require_turning_tool(operation: TurningOperation, tool: TurningTool, setup: TurningSetup) -> None:
@@ -83,6 +88,11 @@ def _require_turning_tool(operation: TurningOperation, tool: TurningTool, setup:
     if operation.cycle == "turn_bore" and not tool.is_inside:
         what, limit = "boring takes a tool for the inside", "a boring bar"
         raise CycleError("bore-tool", what, value=tool.kind_words, limit=limit, advice="use a boring bar")
+    _require_hole(tool, setup)
+
+
+def _require_hole(tool: TurningTool, setup: TurningSetup) -> None:
+    """Raise CycleError for a tool for the inside where there is no hole, or one too narrow for it."""
     if tool.is_inside and setup.bore_mm <= 0:
         what = "there is no hole into which the boring bar gets"
         limit = f"{tool.smallest_bore_mm:g} mm" if tool.smallest_bore_mm else "above 0 mm"

@@ -20,6 +20,7 @@ class TurningSetup:
     radius_mm, face_mm: of the raw bar and its end. bore_mm: diameter of what is hollow already, 0 for none. start: z
     and radius at which the tool stands before and after the operation. feed_mm_rev, rpm: of the operation. machine:
     whose axes must follow the spindle. surface_m_min: that the spindle keeps, up to largest_rpm; 0 where rpm is fixed.
+    is_mirrored: in z, for a left-hand tool.
     """
 
     tool: TurningTool
@@ -33,6 +34,7 @@ class TurningSetup:
     machine: Machine | None = None
     surface_m_min: float = 0.0
     largest_rpm: float = 0.0
+    is_mirrored: bool = False
 
     def rpm_at(self, r_mm: float) -> float:
         """Return the spindle's speed at a radius of the control point."""

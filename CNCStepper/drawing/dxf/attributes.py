@@ -33,12 +33,24 @@ class Insertion:
     groups: tuple[str, ...] = ()
 
 
+OUTSIDE = Insertion()
+
+
 class Layers:
-    """Whether each layer of a document is visible, and its colour."""
+    """Whether each layer of a document is visible, its colour, and its one name: "A" and "a" are the same layer."""
 
     def __init__(self, document: Any):
         self._document = document
         self._known: dict[str, tuple[bool, str]] = {}
+        self._names: dict[str, str] = {}
+
+    def named(self, name: str) -> str:
+        """Return the name of a layer as the table writes it, else as it was first asked for."""
+        key = name.casefold()
+        if key not in self._names:
+            table = self._document.layers
+            self._names[key] = str(table.get(name).dxf.name) if table.has_entry(name) else name
+        return self._names[key]
 
     def is_hidden(self, name: str) -> bool:
         """Return whether a layer is off or frozen; one that the table does not have is visible."""

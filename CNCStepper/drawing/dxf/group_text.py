@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The lines of a DXF text as places in it: group codes as a column, values where they are asked for.
+"""The groups of a DXF text, some at a time: their codes as a column, values where they are asked for.
 
-A group is two lines: its code and its value.
+    chunks of bytes ──► windows of whole groups, cut where an entity begins ──► GroupText
+
+A group is two lines: its code and its value. What a window held is let go with it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -21,43 +22,38 @@ class NotSplit(Exception):
     """A text that ezdxf has to read whole."""
 
 
-class TextColumn(NamedTuple):
-    """A text for each of n entities as places in the text of the file, int32[n] both; b"" for one that has none."""
-
-    content: bytes
-    begin: np.ndarray
-    end: np.ndarray
-
-    def of(self, number: int) -> bytes:
-        """Return the text of an entity, without a carriage return behind it."""
-        return self.content[self.begin[number] : self.end[number]].rstrip(b"\r")
-
-
-def columns_joined(columns: Sequence[TextColumn]) -> TextColumn:
-    """Return columns of texts of one file, one after the other."""
-    begin, end = (np.concatenate(places) for places in zip(*(column[1:] for column in columns), strict=True))
-    return TextColumn(columns[0].content, begin, end)
-
-
 class GroupText:
-    """The groups of a text."""
+    """The groups of a part of a text; in the last part a line may end with the text.
 
-    def __init__(self, content: bytes):
+    `codes` is the code of each group, int16[n]. Raises NotSplit where one is no group code.
+    """
+
+    def __init__(self, content: bytes, is_last: bool = True):
         self._content = content
         self._bytes = np.frombuffer(content, np.uint8)
         self._begin = _line_begins(content)
-        self._lines = len(self._begin) - 1
+        self._lines = len(self._begin) - (1 if is_last else 2)
+        self.codes = self._all_codes()
 
-    def codes(self) -> np.ndarray:
-        """Return the code of each group, int16[n]; raises NotSplit where one is no group code."""
-        begin, end = self._begin[: self._lines - 1 : 2], self._begin[1 : self._lines : 2] - 1
-        if not len(begin):
-            raise NotSplit
+    def cut_at_last_entity(self) -> bytes:
+        """Give up the groups from the last entity on and return their text; all stay, and b"", where none begins."""
+        zeros = np.flatnonzero(self.codes == 0)
+        if not len(zeros) or not zeros[-1]:
+            return b""
+        self.codes = self.codes[: zeros[-1]]
+        self._lines = 2 * int(zeros[-1])
+        return self._content[self._begin[self._lines] :]
+
+    def _all_codes(self) -> np.ndarray:
+        last = self._lines // 2 * 2
+        begin, end = self._begin[0:last:2], self._begin[1:last:2] - 1
         blocks = range(0, len(begin), BLOCK)
-        return np.concatenate([self._codes(begin[at : at + BLOCK], end[at : at + BLOCK]) for at in blocks])
+        return np.concatenate(
+            [np.empty(0, np.int16), *(self._codes(begin[at : at + BLOCK], end[at : at + BLOCK]) for at in blocks)]
+        )
 
     def _codes(self, begin: np.ndarray, end: np.ndarray) -> np.ndarray:
-        """Return the codes in some lines; raises NotSplit as `codes`."""
+        """Return the codes in some lines; raises NotSplit as the class says."""
         codes, digits, ended = np.zeros(len(begin), np.int32), np.zeros(len(begin), bool), np.zeros(len(begin), bool)
         if int((end - begin).max()) > WIDEST:
             raise NotSplit
@@ -79,24 +75,47 @@ class GroupText:
         line = 2 * group + 1
         return self._content[self._begin[line] : self._begin[line + 1] - 1]
 
-    def values(self, groups: np.ndarray) -> Iterable[bytes]:
+    def values(self, groups: np.ndarray) -> Iterator[bytes]:
         """Yield the values of groups, int64[k]."""
         content, lines = self._content, 2 * groups + 1
         for begin, following in zip(self._begin[lines].tolist(), self._begin[lines + 1].tolist(), strict=True):
             yield content[begin : following - 1]
 
-    def column(self, groups: np.ndarray, numbers: np.ndarray, count: int) -> TextColumn:
-        """Return the values of groups, int64[k], as a text for some of `count` entities, by their numbers, int[k]."""
-        column = TextColumn(self._content, np.zeros(count, np.int32), np.zeros(count, np.int32))
-        column.begin[numbers], column.end[numbers] = self._begin[2 * groups + 1], self._begin[2 * groups + 2] - 1
-        return column
+    def texts(self, groups: np.ndarray, numbers: np.ndarray, count: int) -> list[bytes]:
+        """Return the values of groups, int64[k], as a text for some of `count` entities, by their numbers, int[k].
+
+        An entity without one has b""; a carriage return behind a text is left out.
+        """
+        found = [b""] * count
+        for number, value in zip(numbers.tolist(), self.values(groups), strict=True):
+            found[number] = value.rstrip(b"\r")
+        return found
 
     def some(self, kept: np.ndarray) -> bytes:
         """Return the text of the groups for which `kept`, bool[n], is true, and of the line behind the last group."""
         edges = 2 * np.flatnonzero(np.diff(np.concatenate([[False], kept, [True, False]])))
         edges[-1] = self._lines
         runs = zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
-        return b"\n".join(self._content[self._begin[first] : self._begin[last] - 1] for first, last in runs)
+        return b"".join(self._content[self._begin[first] : self._begin[last]] for first, last in runs)
+
+
+def windows(chunks: Iterable[bytes]) -> Iterator[GroupText]:
+    """Yield the groups of a text in parts; each part but the first begins with the group of an entity."""
+    waiting: list[bytes] = []
+    size = least = 0
+    for chunk in chunks:
+        waiting.append(chunk)
+        size += len(chunk)
+        if size < least:
+            continue
+        text = GroupText(b"".join(waiting), is_last=False)
+        tail = text.cut_at_last_entity()
+        if tail:
+            yield text
+            waiting, size, least = [tail], len(tail), 0
+        else:
+            least = 2 * size  # a long entity: how often it is begun anew grows with its logarithm
+    yield GroupText(b"".join(waiting))
 
 
 def _line_begins(content: bytes) -> np.ndarray:

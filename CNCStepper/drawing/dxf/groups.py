@@ -11,7 +11,6 @@ import re
 from typing import Any
 
 from CNCStepper.drawing.dxf.attributes import MOST_CHARACTERS, decoded
-from CNCStepper.drawing.dxf.limits import BINARY
 from CNCStepper.safe_text import printable
 
 _GROUP = re.compile(rb"\n[ \t]*0[ \t]*\r?\nGROUP[ \t]*\r?\n(.*?)(?=\n[ \t]*0[ \t]*\r?\n[A-Z])", re.DOTALL)
@@ -19,15 +18,18 @@ _OWN = re.compile(rb"(?:^|\n)[ \t]*5[ \t]*\r?\n[ \t]*([0-9A-Fa-f]+)")
 _MEMBER = re.compile(rb"\n[ \t]*340[ \t]*\r?\n[ \t]*([0-9A-Fa-f]+)")
 
 
-def groups_of(document: Any, content: bytes) -> dict[str, tuple[str, ...]]:
-    """Return the names of the groups round each entity that is in one, by its handle in capitals."""
+def groups_of(document: Any, text: bytes | None) -> dict[str, tuple[str, ...]]:
+    """Return the names of the groups round each entity that is in one, by its handle in capitals.
+
+    `text` has the groups where the document lacks entities of theirs, None where it has them all.
+    """
     names = {
         str(group.dxf.handle).upper(): printable(decoded(name), MOST_CHARACTERS) for name, group in document.groups
     }
-    if content.startswith(BINARY):
+    if text is None:
         members = {str(group.dxf.handle).upper(): list(group.handles()) for _, group in document.groups}
     else:
-        members = dict(map(_members, _GROUP.findall(content))) if names else {}
+        members = dict(map(_members, _GROUP.findall(text))) if names else {}
     found: dict[str, tuple[str, ...]] = {}
     for group, handles in members.items():
         for handle in map(str.upper, handles) if group in names else ():

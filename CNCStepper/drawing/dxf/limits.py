@@ -10,8 +10,10 @@ a file of 2 kB and more things than any computer holds.
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections import Counter
+from collections.abc import Iterable
 from typing import Any
 
 from CNCStepper.errors import JobError, Place, Text
@@ -23,28 +25,43 @@ SPLINE_WEIGHT = (
     5  # points: what a spline's control point takes beside reading; how long arcs are fitted has its own bound
 )
 DEEPEST = 32  # blocks within blocks; a block that holds itself goes on for ever
+LONGEST = 1_000  # bytes: what the patterns below find is shorter
 BINARY = b"AutoCAD Binary DXF\r\n\x1a\x00"
 # the vertices of an old polyline are points of it, not entities
 _ENTITY = re.compile(rb"\n[ \t]*0[ \t]*\r?\n[ \t]*(?!VERTEX\b|SEQEND\b)[A-Z0-9_]*[A-Z]")
+_NOTHING = re.compile(rb"(?!)")
 _POINT = re.compile(rb"\n[ \t]*10[ \t]*\r?\n")
 _BINARY_ENTITY = re.compile(rb"\x00\x00[A-Z0-9_]+\x00")
 _OLD_BINARY_ENTITY = re.compile(rb"\x00[A-Z0-9_]{3,}\x00")  # until R12 a group's code is one byte
 
 
-def require_readable(content: bytes, place: Place) -> None:
-    """Raise JobError for a file of more entities or points than are read; what is no DXF file passes."""
-    if content.startswith(BINARY):
-        wide = b"\x00\x00SECTION\x00" in content[:100]
-        entities, points = _found(_BINARY_ENTITY if wide else _OLD_BINARY_ENTITY, content), 0
-    else:
-        entities, points = _found(_ENTITY, content), _found(_POINT, content)
+def require_readable(chunks: Iterable[bytes], place: Place) -> None:
+    """Raise JobError for a text of more entities or points than are read; what is no DXF file passes."""
+    entities = points = 0
+    tail = b""
+    patterns: tuple[re.Pattern[bytes], ...] = ()
+    for chunk in itertools.chain(chunks, [b""]):
+        patterns = patterns or _patterns(chunk)
+        content = tail + chunk
+        end = len(content) - LONGEST if chunk else len(content)
+        entities, points = (
+            count + _found(pattern, content, end) for count, pattern in zip((entities, points), patterns, strict=True)
+        )
+        tail = content[max(end, 0) :]
     _require("entities", entities, MOST_ENTITIES, place)
     _require("points", points, MOST_POINTS, place)
 
 
-def _found(pattern: re.Pattern[bytes], content: bytes) -> int:
-    """Return how often a pattern is there, without a list of all the places."""
-    return sum(1 for _ in pattern.finditer(content))
+def _patterns(begin: bytes) -> tuple[re.Pattern[bytes], re.Pattern[bytes]]:
+    """Return what an entity and a point look like in a file that begins so; a binary one's points are not counted."""
+    if not begin.startswith(BINARY):
+        return _ENTITY, _POINT
+    return (_BINARY_ENTITY if b"\x00\x00SECTION\x00" in begin[:100] else _OLD_BINARY_ENTITY), _NOTHING
+
+
+def _found(pattern: re.Pattern[bytes], content: bytes, end: int) -> int:
+    """Return how often a pattern begins before a place, without a list of all the places."""
+    return sum(1 for match in pattern.finditer(content) if match.start() < end)
 
 
 def require_small(document: Any, plain: int, place: Place) -> int:

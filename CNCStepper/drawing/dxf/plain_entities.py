@@ -11,18 +11,21 @@ same drawing. An ordinary entity has its number in the file by its place, anothe
 
 from __future__ import annotations
 
-import itertools
 import math
-from collections.abc import Iterable, Sequence
+from array import array
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, overload
 
 import numpy as np
 
-from CNCStepper.drawing.dxf.group_text import CODES, GroupText, NotSplit, TextColumn, columns_joined
+from CNCStepper.drawing.chain_columns import Names
+from CNCStepper.drawing.dxf.attributes import MOST_CHARACTERS
+from CNCStepper.drawing.dxf.group_text import CODES, GroupText, NotSplit, windows
 from CNCStepper.geometry.curve import LIMIT_MM, Curve
 from CNCStepper.geometry.curve_bundle import Bundle, bundles_joined, runs
 from CNCStepper.geometry.curve_columns import STRAIGHT_MM
+from CNCStepper.safe_text import printable
 from CNCStepper.tolerances import COINCIDENT_MM
 
 LARGEST = 1e9  # units: beyond it nothing of a drawing can be told apart
@@ -40,11 +43,20 @@ MEANT = {  # group codes beside ALWAYS
 NEEDED = {LINE: (8, 10, 20, 11, 21), ARC: (8, 10, 20, 40, 50, 51), CIRCLE: (8, 10, 20, 40), POLYLINE: (8, 10, 20, 70)}
 REPEATED = (0, 100)
 PARTS = (b"VERTEX", b"SEQEND", b"ATTRIB")  # of the entity before them
-BLOCK = 4_096  # entities that are taken apart at once
+SECTION_ENDS = (b"ENDSEC", b"SECTION", b"EOF")
 OF_VERTEX = (10, 20, 40, 41, 42, 91)
 AFTER = {20: 10, 30: 20, 21: 11, 31: 21, 220: 210, 230: 220}  # a coordinate and the one right before it
 NUMBERS = (10, 20, 30, 11, 21, 31, 38, 40, 41, 42, 50, 51, 62, 70, 420)
 NAME_NEVER = frozenset(b'\\<>/":;?*=`|\t')  # in a layer's name: ezdxf decodes or corrects it
+
+
+class Looks(NamedTuple):
+    """What many ordinary entities share: kind, layer as the file writes it, colours as PlainEntity has them."""
+
+    kind: int
+    layer: bytes
+    colour_index: int
+    true_colour: int | None
 
 
 @dataclass(frozen=True)
@@ -61,11 +73,46 @@ class PlainEntity:
 
 
 class PlainEntities(Sequence[PlainEntity]):
-    """Ordinary entities in columns; each is made when it is asked for."""
+    """Ordinary entities in columns that grow in place; an entity is made when it is asked for.
 
-    def __init__(self, numbers: np.ndarray, curves: Bundle, texts: _Texts):
-        self._numbers, self._curves, self._texts = numbers, curves, texts
-        self._first = curves.first
+    `looks` are those of all; `columns` returns the rest.
+    """
+
+    def __init__(self) -> None:
+        self._numbers, self._look = array("i"), array("i")
+        self._xy, self._bulge, self._counts = array("d"), array("d"), array("q")
+        self._looks: dict[Looks, int] = {}
+        self._handles, self._ends = bytearray(), array("i")
+        self._first: np.ndarray | None = None
+
+    def add(self, numbers: np.ndarray, curves: Bundle, looks: Iterable[Looks], handles: Iterable[bytes]) -> None:
+        """Add entities in the order of the file."""
+        self._numbers.frombytes(numbers.astype(np.int32).tobytes())
+        self._xy.frombytes(curves.xy.tobytes())
+        self._bulge.frombytes(curves.bulge.tobytes())
+        self._counts.frombytes(curves.counts.astype(np.int64, copy=False).tobytes())
+        self._look.extend([self._looks.setdefault(look, len(self._looks)) for look in looks])
+        for handle in handles:
+            self._handles += handle if handle.isalnum() and len(handle) < MOST_CHARACTERS else _printable(handle)
+            self._ends.append(len(self._handles))
+
+    @property
+    def looks(self) -> list[Looks]:
+        """The looks of all, by their numbers."""
+        return list(self._looks)
+
+    def look(self, row: int) -> int:
+        """Return which of `looks` an entity has."""
+        return self._look[row]
+
+    def columns(self) -> tuple[np.ndarray, np.ndarray, Bundle, Names]:
+        """Return the numbers, int32[n], which of `looks`, int32[n], curves and handles of all; none is added after."""
+        ends = np.frombuffer(self._ends, np.int32)
+        names = Names(self._handles, np.concatenate([[0], ends[:-1]]).astype(np.int32)[: len(ends)], ends)
+        curves = Bundle(
+            np.frombuffer(self._xy).reshape(-1, 2), np.frombuffer(self._bulge), np.frombuffer(self._counts, np.int64)
+        )
+        return np.frombuffer(self._numbers, np.int32), np.frombuffer(self._look, np.int32), curves, names
 
     def __len__(self) -> int:
         return len(self._numbers)
@@ -81,133 +128,126 @@ class PlainEntities(Sequence[PlainEntity]):
         return tuple(map(self._made, rows)) if isinstance(rows, range) else self._made(rows)
 
     def _made(self, row: int) -> PlainEntity:
-        number, begin, count = int(self._numbers[row]), int(self._first[row]), int(self._curves.counts[row])
-        xy, bulge, texts = self._curves.xy, self._curves.bulge, self._texts
-        true_colour = int(texts.true_colour[number])
+        numbers, look, curves, handles = self.columns()
+        if self._first is None:
+            self._first = curves.first
+        kind, layer, *colours = self.looks[look[row]]
+        begin, count = int(self._first[row]), int(curves.counts[row])
+        curve = Curve.trusted(curves.xy[begin + row : begin + row + count + 1], curves.bulge[begin : begin + count])
         return PlainEntity(
-            number,
-            Curve.trusted(xy[begin + row : begin + row + count + 1], bulge[begin : begin + count]),
-            NAMES[texts.kinds[number]],
-            texts.layers.of(number),
-            texts.handles.of(number).decode("ascii", "replace"),
-            int(texts.colour_index[number]),
-            true_colour if true_colour >= 0 else None,
+            int(numbers[row]), curve, NAMES[kind], layer, handles.of(np.array([row]))[0], colours[0], colours[1]
         )
 
 
-class _Texts(NamedTuple):
-    """What entities have beside their curves, by their numbers."""
-
-    kinds: np.ndarray
-    layers: TextColumn
-    handles: TextColumn
-    colour_index: np.ndarray
-    true_colour: np.ndarray
+def _printable(handle: bytes) -> bytes:
+    return printable(handle.decode("ascii", "replace"), MOST_CHARACTERS).encode("utf-8")
 
 
 @dataclass(frozen=True)
 class SplitText:
     """The ordinary entities of a file, the text of all else, and the number of each entity there by its handle."""
 
-    plain: Sequence[PlainEntity]
+    plain: PlainEntities
     rest: bytes
     numbers: dict[str, int]
 
 
-def split_text(content: bytes) -> SplitText:
-    """Return the ordinary entities of a DXF text and the rest.
+def split_text(chunks: Iterable[bytes]) -> SplitText:
+    """Return the ordinary entities of a DXF text, given in pieces, and the rest.
 
     Raises NotSplit for a binary or damaged file, for one without ordinary entities, and for one whose other entities
     have no handles.
     """
-    text = GroupText(content)
-    codes = text.codes()
-    first, last = _section(codes, text)
-    starts = first + np.flatnonzero(codes[first:last] == 0)
-    if starts[0] != first:
-        raise NotSplit  # the entities do not begin with one
-    edges = [*starts[::BLOCK].tolist(), last]
-    blocks = [_Entities(codes[begin:end], text, begin).found() for begin, end in itertools.pairwise(edges)]
-    if not any(block.ordinary.any() for block in blocks):
-        raise NotSplit  # there are no ordinary entities
-    kept = np.ones(len(codes), bool)
-    kept[first:last] = np.repeat(~np.concatenate([block.ordinary for block in blocks]), np.diff(starts, append=last))
-    return SplitText(_plain(blocks), text.some(kept), _numbers_by_handle(blocks))
+    splitter = _Splitter()
+    for text in windows(chunks):
+        splitter.add(text)
+    if not splitter.is_whole or not len(splitter.plain):
+        raise NotSplit  # there is no whole section of entities, or no ordinary ones are in it
+    return SplitText(splitter.plain, bytes(splitter.rest), splitter.numbers)
 
 
-def _plain(blocks: Sequence[_Found]) -> PlainEntities:
-    """Return the ordinary entities of blocks of BLOCK entities as one sequence."""
-    numbers = np.concatenate([BLOCK * place + block.numbers for place, block in enumerate(blocks)])
-    of_all = [block.texts for block in blocks]
-    texts = _Texts(
-        np.concatenate([texts.kinds for texts in of_all]),
-        columns_joined([texts.layers for texts in of_all]),
-        columns_joined([texts.handles for texts in of_all]),
-        np.concatenate([texts.colour_index for texts in of_all]),
-        np.concatenate([texts.true_colour for texts in of_all]),
-    )
-    return PlainEntities(numbers, bundles_joined([block.curves for block in blocks]), texts)
+class _Splitter:
+    """Takes a text window by window: see SplitText; `is_whole`: its section of entities has begun and ended."""
 
+    def __init__(self) -> None:
+        self.plain, self.rest = PlainEntities(), bytearray()
+        self.numbers: dict[str, int] = {}
+        self.is_whole = self._inside = False
+        self._count = 0  # of the entities so far
 
-def _numbers_by_handle(blocks: Sequence[_Found]) -> dict[str, int]:
-    """Return the number of each other entity by its handle; raises NotSplit where one has no handle of its own."""
-    numbers: dict[str, int] = {}
-    for place, block in enumerate(blocks):
-        for number in np.flatnonzero(~block.ordinary).tolist():
-            handle = block.texts.handles.of(number).decode("ascii", "replace").upper()
-            if block.words[number] not in PARTS and (not handle or handle in numbers):
+    def add(self, text: GroupText) -> None:
+        """Take the next groups."""
+        kept = np.ones(len(text.codes), bool)
+        zeros = np.flatnonzero(text.codes == 0)
+        words = list(map(bytes.strip, text.values(zeros)))
+        begin, end = self._section(text, zeros.tolist(), words)
+        if begin < end:
+            inside = slice(*np.searchsorted(zeros, [begin, end]).tolist())
+            if text.codes[begin]:
+                raise NotSplit  # the entities do not begin with one
+            entities = _Entities(text.codes[begin:end], text, begin, words[inside])
+            ordinary = self._taken(entities, words[inside])
+            kept[begin:end] = np.repeat(~ordinary, np.diff(zeros[inside], append=end))
+        self.rest += text.some(kept)
+
+    def _section(self, text: GroupText, zeros: Sequence[int], words: Sequence[bytes]) -> tuple[int, int]:
+        """Return the first group of the entities here and the group that ends them."""
+        begin = 0
+        if self.is_whole:
+            return 0, 0
+        for group, word in zip(zeros, words, strict=True):
+            if self._inside and word in SECTION_ENDS:
+                if word != b"ENDSEC":
+                    raise NotSplit
+                self._inside, self.is_whole = False, True
+                return begin, group
+            is_named = word == b"SECTION" and text.codes[group + 1 : group + 2].tolist() == [2]
+            if is_named and text.value(group + 1).strip() == b"ENTITIES":
+                self._inside, begin = True, group + 2
+        return (begin, len(text.codes)) if self._inside else (0, 0)
+
+    def _taken(self, entities: _Entities, words: Sequence[bytes]) -> np.ndarray:
+        """Take the ordinary entities of a window; return which they are, bool[n]."""
+        ordinary = entities.ordinary()
+        numbers, curves = entities.curves(ordinary)
+        handles, rows = entities.texts(5), numbers.tolist()
+        self.plain.add(numbers + self._count, curves, entities.looks(rows), (handles[row] for row in rows))
+        for number in np.flatnonzero(~ordinary).tolist():
+            handle = handles[number].decode("ascii", "replace").upper()
+            if words[number] not in PARTS and (not handle or handle in self.numbers):
                 raise NotSplit
-            numbers[handle] = BLOCK * place + number
-    return numbers
-
-
-class _Found(NamedTuple):
-    """What a block of entities holds: which are ordinary, their numbers in it and curves; words and texts of all."""
-
-    ordinary: np.ndarray
-    numbers: np.ndarray
-    curves: Bundle
-    words: list[bytes]
-    texts: _Texts
-
-
-def _section(codes: np.ndarray, text: GroupText) -> tuple[int, int]:
-    """Return the first group of the entities and the group that ends them."""
-    first = None
-    for group in np.flatnonzero(codes == 0).tolist():
-        word = text.value(group).strip()
-        if first is not None and word in (b"ENDSEC", b"SECTION", b"EOF"):
-            if word != b"ENDSEC" or group == first:
-                break
-            return first, group
-        if word == b"SECTION" and group + 2 < len(codes) and codes[group + 1] == 2:
-            first = group + 2 if text.value(group + 1).strip() == b"ENTITIES" else first
-    raise NotSplit  # there is no whole section of entities
+            self.numbers[handle] = self._count + number
+        self._count += len(words)
+        return ordinary
 
 
 class _Entities:
     """The groups of some entities as columns: code, value, and the number of the entity that each belongs to."""
 
-    def __init__(self, codes: np.ndarray, text: GroupText, first: int):
+    def __init__(self, codes: np.ndarray, text: GroupText, first: int, words: Sequence[bytes]):
         self._codes, self._text, self._first = codes, text, first
         self._owner = np.cumsum(codes == 0, dtype=np.int32) - 1
-        known: dict[bytes, bytes] = {}
-        self._words = [known.setdefault(word, word) for word in map(bytes.strip, self._values(self._at(0)))]
-        self._kinds = np.array([KINDS.get(word, OTHER) for word in self._words], np.int8)
-        self._count = len(self._words)
+        self._kinds = np.array([KINDS.get(word, OTHER) for word in words], np.int8)
+        self._count = len(words)
         self._parsed: dict[int, tuple[np.ndarray, np.ndarray]] = {}
+        self._layers = self.texts(8)
 
-    def found(self) -> _Found:
-        """Return the ordinary ones, and the texts of all."""
-        ordinary = self._ordinary()
-        colours = self._column(62, 256.0), self._column(420, -1.0)
-        texts = _Texts(self._kinds, self._texts(8), self._texts(5), *colours)
-        return _Found(ordinary, *self._curves(ordinary), self._words, texts)
+    def looks(self, rows: Sequence[int]) -> Iterator[Looks]:
+        """Yield the looks of some ordinary ones."""
+        columns = (self._kinds, self._column(62, 256.0), self._column(420, -1.0))
+        chosen = (column[np.array(rows, int)].tolist() for column in columns)
+        for row, kind, index, true_colour in zip(rows, *chosen, strict=True):
+            yield Looks(kind, self._layers[row], int(index), int(true_colour) if true_colour >= 0 else None)
+
+    def texts(self, code: int) -> list[bytes]:
+        """Return the value of a code for each, as GroupText does."""
+        at = self._at(code)
+        return self._text.texts(at + self._first, self._owner[at], self._count)
 
     def _values(self, at: np.ndarray) -> Iterable[bytes]:
         return self._text.values(at + self._first)
 
-    def _ordinary(self) -> np.ndarray:
+    def ordinary(self) -> np.ndarray:
         """Return which entities are ordinary, bool[n]."""
         allowed = np.zeros((len(KINDS) + 1, CODES), bool)
         for meaning, meant in MEANT.items():
@@ -254,11 +294,6 @@ class _Entities:
         column[owner] = values
         return column
 
-    def _texts(self, code: int) -> TextColumn:
-        """Return the value of a code for each entity."""
-        at = self._at(code)
-        return self._text.column(at + self._first, self._owner[at], self._count)
-
     def _is_level(self) -> np.ndarray:
         """Return which entities are seen from above, and lines of one height, bool[n]."""
         above = (self._column(210) == 0.0) & (self._column(220) == 0.0) & (self._column(230, 1.0) == 1.0)
@@ -289,14 +324,9 @@ class _Entities:
     def _is_named(self) -> np.ndarray:
         """Return which entities have a layer's name that needs no decoding, bool[n]."""
         plain: dict[bytes, bool] = {}
-        named = np.ones(self._count, bool)
-        layers = self._texts(8)
-        for number in range(self._count):
-            layer = layers.of(number)
-            if layer not in plain:
-                plain[layer] = layer.strip() == layer != b"" and not NAME_NEVER.intersection(layer)
-            named[number] = plain[layer]
-        return named
+        for layer in set(self._layers):
+            plain[layer] = layer.strip() == layer != b"" and not NAME_NEVER.intersection(layer)
+        return np.array([plain[layer] for layer in self._layers], bool)
 
     def _is_measurable(self, ordinary: np.ndarray) -> np.ndarray:
         """Return which of the ordinary entities are curves in bounds, no part of them without length, bool[n]."""
@@ -311,7 +341,7 @@ class _Entities:
         fine[round_ones & ~((rise > STRAIGHT_MM) & (reach + radius <= LIMIT_MM))] = False
         fine[self._kinds == POLYLINE] = False
         numbers, polylines = self._polylines(np.flatnonzero((self._kinds == POLYLINE) & ordinary))
-        fine[numbers[_are_chains(polylines)]] = True
+        fine[numbers[are_chains(polylines)]] = True
         return fine
 
     def _sweeps(self) -> tuple[np.ndarray, np.ndarray]:
@@ -339,7 +369,7 @@ class _Entities:
         vertices[last] = np.where(vertices[last] == end, begin, vertices[last])
         return numbers, Bundle(np.column_stack([x, y])[vertices], bulge[runs(begin, sides)], sides)
 
-    def _curves(self, ordinary: np.ndarray) -> tuple[np.ndarray, Bundle]:
+    def curves(self, ordinary: np.ndarray) -> tuple[np.ndarray, Bundle]:
         """Return the numbers of the ordinary entities, ascending, and their curves."""
         x, y = self._column(10), self._column(20)
         lines = np.flatnonzero(ordinary & (self._kinds == LINE))
@@ -356,7 +386,7 @@ class _Entities:
         return mixed[order], bundles_joined([bundle for own, bundle in found if len(own)]).taken(order)
 
 
-def _are_chains(polylines: Bundle) -> np.ndarray:
+def are_chains(polylines: Bundle) -> np.ndarray:
     """Return which polylines are in bounds, have no side without a length and no arc that is nearly straight."""
     if not len(polylines.counts):
         return np.empty(0, bool)

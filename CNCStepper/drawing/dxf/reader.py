@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """DXF drawings: the curves of each layer in mm, joined to chains, with the gaps left and what could not be read.
 
-    text ──► plain_entities.py: lines, arcs, circles, light polylines ─────────────────┐
-         └─► ezdxf: header, tables, blocks, all other entities ──► entities.py: curves ─┴─► chains
+    text, by windows ──► plain_entities.py: lines, arcs, circles, light polylines ──► plain_columns.py ──┐
+                     └─► ezdxf: header, tables, blocks, all other entities ──► entities.py: curves ──────┴─► chains
 
 ezdxf repairs a damaged file and reads all of it. Each insertion of a block becomes its entities; those on layer 0 get
 the layer of the insertion. Only visible entities of the model space are read. Hatches, solids and texts follow the
@@ -11,10 +11,9 @@ chains.
 
 from __future__ import annotations
 
-import itertools
 import operator
 from array import array
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
@@ -22,15 +21,14 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.drawing.chain_columns import ChainColumns, ChainGatherer
+from CNCStepper.drawing.chain_columns import ChainColumns, ChainGatherer, columns_joined
 from CNCStepper.drawing.drawing import KERF, Attributes, Chain, Drawing, Share, Skipped
 from CNCStepper.drawing.dxf.attributes import (
-    BLACK,
+    OUTSIDE,
     Insertion,
     Layers,
     attribute,
     attributes,
-    colour_of,
     entity_colour,
     layer_of,
 )
@@ -40,7 +38,8 @@ from CNCStepper.drawing.dxf.group_text import NotSplit
 from CNCStepper.drawing.dxf.groups import groups_of
 from CNCStepper.drawing.dxf.hatches import hatch_curves, without_drawn
 from CNCStepper.drawing.dxf.limits import DEEPEST, MOST_BYTES, require_readable, require_small
-from CNCStepper.drawing.dxf.plain_entities import PlainEntity, split_text
+from CNCStepper.drawing.dxf.plain_columns import plain_pieces
+from CNCStepper.drawing.dxf.plain_entities import PlainEntities, split_text
 from CNCStepper.drawing.dxf.texts import KINDS as TEXTS
 from CNCStepper.drawing.dxf.texts import Texts
 from CNCStepper.drawing.joined_pieces import joined_pieces
@@ -48,16 +47,15 @@ from CNCStepper.drawing.read_drawing import ReadOptions
 from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
 from CNCStepper.geometry.chain_joining import NEAR_MM
 from CNCStepper.geometry.curve import Curve
-from CNCStepper.input_file import read_input
+from CNCStepper.input_file import Unchanged, input_chunks, read_input
 from CNCStepper.quantities import Bounds
 from CNCStepper.safe_text import printable
 from CNCStepper.tolerances import JOINED_ENDS_MM
 
 MOST_WORDS = 255  # characters of a name, and of a message of ezdxf
-PARSED, CURVED = 0.4, 0.95  # of the time, for a drawing of lines, when ezdxf is done, and when all are curves
+COUNTED, PARSED, CURVED = 0.1, 0.8, 0.85  # of the time, for a drawing of lines, when each of these is done
 TOLD_EVERY = 256  # entities
 HATCH = "HATCH"
-OUTSIDE = Insertion()
 UNIT_NAME = b"$INSUNITS"  # where a file does not hold it, ezdxf may take it for one in metres
 
 
@@ -79,16 +77,17 @@ def read_dxf(
     if not tolerance_mm > 0:
         raise JobError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
     place = Place(str(path))
-    content = read_input(path, MOST_BYTES)
-    require_readable(content, place)
+    require_readable(_chunks(path, lambda done: share(COUNTED * done)), place)
+    unchanged = Unchanged(path)
     with collected_log() as log:
-        source = _source(path, content)
+        source = _source(path, lambda done: share(COUNTED + (PARSED - COUNTED) * done))
+        unchanged.check()
         count = require_small(source.document, len(source.plain), place)
         share(PARSED)
-        unit_mm = unit_mm or (_unit_mm(source.document) if UNIT_NAME in content else 1.0)
+        unit_mm = unit_mm or (_unit_mm(source.document) if source.has_unit else 1.0)
         unit_mm = Bounds("unit").require(unit_mm, "the drawing's unit", place)
         with placed(place):
-            reading = _Reading(source, groups_of(source.document, content), Fits(tolerance_mm / unit_mm), unit_mm)
+            reading = _Reading(source, Fits(tolerance_mm / unit_mm), unit_mm)
             pieces, skipped = reading.all(count, share)
     damage = source.damage or (log[0] if log else "")
     if not pieces and not reading.whole:
@@ -133,16 +132,19 @@ def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
     return read_dxf(path, options.tolerance_mm, options.unit_mm, same_mm, near_mm, options.by_colour, share)
 
 
-@dataclass(frozen=True)
+@dataclass
 class _Source:
     """A file as it is read: the entities read straight, and the document of ezdxf with all else.
 
-    `numbers` has the place in the file of each entity of the document by its handle, in capitals.
+    `numbers` has the place in the file of each entity of the document by its handle, in capitals. `has_unit`: the file
+    names its unit. `groups` are the names of those round an entity, by its handle, too.
     """
 
     document: Any
-    damage: str = ""
-    plain: Sequence[PlainEntity] = ()
+    damage: str
+    has_unit: bool
+    groups: dict[str, tuple[str, ...]]
+    plain: PlainEntities = field(default_factory=PlainEntities)
     numbers: dict[str, int] = field(default_factory=dict)
     encoding: str = "utf-8"
 
@@ -150,9 +152,8 @@ class _Source:
 class _Reading:
     """Takes the pieces out of a file, in the order of the file."""
 
-    def __init__(self, source: _Source, groups: dict[str, tuple[str, ...]], fits: Fits, unit_mm: float):
+    def __init__(self, source: _Source, fits: Fits, unit_mm: float):
         self._source, self._fits, self._unit_mm = source, fits, unit_mm
-        self._groups = groups
         self._layers = Layers(source.document)
         self.whole: list[Chain] = []
         self.texts = Texts(source.document, fits.tolerance)
@@ -161,33 +162,31 @@ class _Reading:
 
     def all(self, count: int, share: Share) -> tuple[ChainColumns, list[Skipped]]:
         """Return the curve of each of `count` entities in mm, and the entities that have none."""
-        for done, _ in enumerate(itertools.chain(self._read_plain(), self._read_others())):
+        plain, numbers = self._read_plain()
+        for done, _ in enumerate(self._read_others(), start=len(numbers)):
             checkpoint()
             if done % TOLD_EVERY == 0:
                 share(PARSED + (CURVED - PARSED) * min(done / count, 1.0))
-        pieces = self._pieces.columns()
-        order = np.argsort(np.array(self._numbers), kind="stable")
         skipped = [skipped for _, skipped in sorted(self._skipped, key=operator.itemgetter(0))]
+        pieces = columns_joined(plain, self._pieces.columns())
+        order = np.argsort(np.concatenate([numbers, np.array(self._numbers, int)]), kind="stable")
+        del plain
         return pieces.where(order, pieces.bundle.taken(order)), skipped
 
-    def _read_plain(self) -> Iterator[None]:
-        names: dict[bytes, str] = {}
-        for entity in self._source.plain:
-            if entity.layer not in names:
-                names[entity.layer] = entity.layer.decode(self._source.encoding, "surrogateescape")
-            layer = names[entity.layer]
-            if not self._layers.is_hidden(layer):
-                self._read_curve(entity, layer)
-            yield
-
-    def _read_curve(self, entity: PlainEntity, layer: str) -> None:
-        colour = colour_of(entity.colour_index, entity.true_colour, self._layers.colour(layer), BLACK)
-        try:
-            self._add(
-                entity.number, entity.curve, attributes(layer, colour, entity.handle, self._around(entity.handle))
-            )
-        except GeometryError as error:  # too far away in mm
-            self._skip(entity.number, entity.kind, layer, entity.handle, error)
+    def _read_plain(self) -> tuple[ChainColumns, np.ndarray]:
+        """Return the pieces of the ordinary entities and their numbers."""
+        source = self._source
+        plain = source.plain
+        source.plain = PlainEntities()  # its columns are those of the pieces
+        if not len(plain):
+            return ChainGatherer().columns(), np.empty(0, np.int32)
+        found = plain_pieces(plain, self._layers, source.groups, source.encoding, self._unit_mm)
+        for number, kind, layer, handle, error in found.refused:
+            self._skip(number, kind, layer, handle, error)
+        for number, piece in found.mended:
+            self._pieces.add(piece.curve, piece.attributes)
+            self._numbers.append(number)
+        return found.columns, found.numbers
 
     def _read_others(self) -> Iterator[None]:
         for order, entity in enumerate(self._source.document.modelspace()):
@@ -197,12 +196,12 @@ class _Reading:
 
     def _around(self, handle: str) -> Insertion:
         """Return what is around an entity of the model space: its groups."""
-        groups = self._groups.get(handle.upper())
+        groups = self._source.groups.get(handle.upper())
         return Insertion(groups=groups) if groups else OUTSIDE
 
     def _read(self, entity: Any, number: int, around: Insertion) -> Iterator[None]:
         """Take the pieces of an entity where it is visible; a block is taken apart."""
-        layer = layer_of(entity, around)
+        layer = self._layers.named(layer_of(entity, around))
         if attribute(entity, "invisible", 0) or self._layers.is_hidden(layer):
             return
         colour = entity_colour(entity, layer, around, self._layers)
@@ -252,20 +251,36 @@ class _Reading:
         return curve if self._unit_mm == 1.0 else curve.scaled(self._unit_mm)
 
 
-def _source(path: Path, content: bytes) -> _Source:
+def _chunks(path: Path, share: Share) -> Iterator[bytes]:
+    """Yield the bytes of a file in pieces."""
+    done_bytes = 0
+    for chunk in input_chunks(path, MOST_BYTES):
+        checkpoint()
+        yield chunk
+        done_bytes += len(chunk)
+        share(min(done_bytes / path.stat().st_size, 1.0))
+
+
+def _source(path: Path, share: Share) -> _Source:
     """Return the file with its ordinary entities read straight, or all of it as ezdxf has it."""
     try:
-        found = split_text(content)
+        found = split_text(_chunks(path, share))
     except NotSplit:
-        return _Source(*load_file(path))
+        return _whole(path, *load_file(path))
     try:
         document, encoding = load_text(found.rest)
     except Exception:  # of ezdxf's parser
         document, damage = load_file(path)
         if not damage:  # the file is whole, so that its shortened text is a fault of the split
             raise
-        return _Source(document, damage)
-    return _Source(document, "", found.plain, found.numbers, encoding)
+        return _whole(path, document, damage)
+    groups = groups_of(document, found.rest)
+    return _Source(document, "", UNIT_NAME in found.rest, groups, found.plain, found.numbers, encoding)
+
+
+def _whole(path: Path, document: Any, damage: str) -> _Source:
+    """Return a file of which ezdxf has read all."""
+    return _Source(document, damage, UNIT_NAME in read_input(path, MOST_BYTES), groups_of(document, None))
 
 
 def _unit_mm(document: Any) -> float:

@@ -39,7 +39,8 @@ from CNCStepper.safe_text import printable
 
 KINDS = ("TEXT", "ATTRIB", "MTEXT")
 OUTLINES, STROKES = "sans-serif", "engraving"  # in place of a font that is not here, and of an SHX font
-MOST_CHARACTERS = 100_000  # of all texts of a drawing
+MOST_CHARACTERS = 100_000  # of all texts of a drawing, and of one as the file writes it: ezdxf takes the square of it
+MOST_WRITTEN = 1_000_000  # of all texts as the file writes them, with their formats
 MOST_SLANT_DEG = 85.0
 DESCENT = 1.0 / 3.0  # of the height: how far "bottom" lies below the base line
 PITCH = 5.0 / 3.0  # heights: from one base line of an MTEXT to the next, by the DXF reference
@@ -52,7 +53,7 @@ class Texts:
 
     def __init__(self, document: Any, tolerance: float):
         self._document, self._tolerance = document, tolerance
-        self._characters = 0
+        self._characters = self._written = 0
         self._families: dict[str, str] = {}
         self.warnings: dict[str, None] = {}
 
@@ -68,6 +69,7 @@ class Texts:
     def _line(self, entity: Any) -> list[Curve]:
         from ezdxf.tools.text import plain_text
 
+        self._count_written(str(entity.dxf.text))
         text = plain_text(decoded(str(entity.dxf.text)))
         self._count(text)
         style = self._style(entity, entity.dxf.get("height", 0.0))
@@ -96,6 +98,7 @@ class Texts:
         return [_placed(each, (x, y), flip, turn, first) for each in text_curves(style, text, self._tolerance)]
 
     def _multiline(self, entity: Any) -> list[Curve]:
+        self._count_written(str(entity.text))
         lines = [decoded(str(line)) for line in entity.plain_text(split=True, fast=False)]
         self._count("".join(lines))
         if len(entity.text) > len("".join(lines)) + 2 * len(lines):
@@ -171,8 +174,13 @@ class Texts:
     def _count(self, text: str) -> None:
         self._characters += len(text)
         if self._characters > MOST_CHARACTERS:
-            limit = f"{MOST_CHARACTERS} characters"
-            raise JobError("dxf-large", "the drawing has too much text", limit=limit, advice="take text out of it")
+            raise _too_much(MOST_CHARACTERS)
+
+    def _count_written(self, text: str) -> None:
+        """Count a text before it is taken apart."""
+        self._written += len(text)
+        if len(text) > MOST_CHARACTERS or self._written > MOST_WRITTEN:
+            raise _too_much(MOST_CHARACTERS if len(text) > MOST_CHARACTERS else MOST_WRITTEN)
 
     def _note_lacking(self, style: TextStyle, text: str) -> None:
         """Note the characters that are left out because the font lacks them."""
@@ -213,3 +221,9 @@ def _placed(curve: Curve, shift: tuple[float, float], flip: tuple[float, float],
     linear = np.array([(c, -s), (s, c)]) @ np.diag(flip)
     moved = linear @ np.array(shift) + np.array([place.x, place.y])
     return curve.transformed(np.column_stack([linear, moved]))
+
+
+def _too_much(most: int) -> JobError:
+    return JobError(
+        "dxf-large", "the drawing has too much text", limit=f"{most} characters", advice="take text out of it"
+    )

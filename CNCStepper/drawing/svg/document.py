@@ -13,11 +13,12 @@ add to the file is known before it is parsed.
 
 from __future__ import annotations
 
+import re
 import zlib
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from xml.parsers import expat
 
 from CNCStepper.cancellation import checkpoint
@@ -40,21 +41,53 @@ PREFIXES = {SVG: "", "": "", XLINK: "xlink:", INKSCAPE: "inkscape:", "http://www
 TEXT = "#text"
 WITH_TEXT = ("text", "tspan", "textPath", "a", "style", "title")
 REFERRING = ("use", "textPath")
+ASKS_SIBLINGS = re.compile(r":(?:nth-)?(?:last|only)-|[+~](?!=)", re.IGNORECASE)  # in rules; `1e+5` costs memory alone
+ASKS_PLACES = re.compile(rf":(?:first|nth)-|:root|{ASKS_SIBLINGS.pattern}", re.IGNORECASE)
 GROUPS = frozenset({"svg", "g", "a", "switch"})
+
+
+class Siblings:
+    """How many elements a parent has, of each name too, as far as they are parsed; `is_top`: the root's own."""
+
+    __slots__ = ("count", "is_top", "kinds", "last")
+
+    def __init__(self, is_top: bool = False):
+        self.count, self.is_top = 0, is_top
+        self.kinds: Counter[str] = Counter()
+        self.last: Element | None = None
+
+
+class Rank(NamedTuple):
+    """Which child of its parent an element is, and which one of its name: 1 for the first."""
+
+    of_all: int
+    of_type: int
 
 
 class Element:
     """An element: its local name ("" for one of another namespace), attributes, children, and text of a #text.
 
-    The children of a group in a stream can be gone through once.
+    The children of a group in a stream can be gone through once. Where rules of style ask for them there are its
+    `rank`, its `siblings`, and the one `before` it (in a whole tree).
     """
 
-    __slots__ = ("attributes", "children", "name", "text")
+    __slots__ = ("attributes", "before", "children", "name", "rank", "siblings", "text")
 
     def __init__(self, name: str, attributes: dict[str, str], children: Iterable[Element] = ()):
         self.name, self.attributes = name, attributes
         self.children = children
         self.text = ""
+        self.rank: Rank | None = None
+        self.siblings: Siblings | None = None
+        self.before: Element | None = None
+
+    def stand_among(self, siblings: Siblings, is_tree: bool) -> None:
+        """Become the next one of some siblings."""
+        siblings.count += 1
+        siblings.kinds[self.name] += 1
+        self.rank, self.siblings = Rank(siblings.count, siblings.kinds[self.name]), siblings
+        if is_tree:
+            self.before, siblings.last = siblings.last, self
 
     def get(self, key: str, otherwise: str = "") -> str:
         """Return an attribute."""
@@ -72,13 +105,14 @@ class Element:
 class Document:
     """The root element, and what is known of the whole file.
 
-    `is_stream`: no element refers to another one, and the groups' children are parsed as they are gone through.
+    `is_stream`: no element refers to another one, no rule of style asks for what is behind one, and the groups'
+    children are parsed as they are gone through.
     `rules`: the text of all <style>. `count`: how many elements there are. `comments`: those before the root (a
     generator's mark). `adobe`: whether Adobe's namespaces are used.
     """
 
     def __init__(self, root: Element, survey: _Survey):
-        self.root, self.is_stream = root, not survey.refers
+        self.root, self.is_stream = root, survey.is_stream
         self.rules, self.count = "".join(survey.rules), survey.count
         self.comments, self.adobe = " ".join(survey.comments), survey.adobe
 
@@ -94,7 +128,7 @@ def read_document(path: Path) -> Document:
         pass
     if survey.root != "svg":
         raise _no_svg(place, "its first element is no <svg>")
-    root = _Elements(content, place, not survey.refers).next()
+    root = _Elements(content, place, survey.is_stream, survey.asks_places).next()
     assert root is not None
     return Document(root, survey)
 
@@ -181,6 +215,16 @@ class _Survey(_Parser):
         self._parser.EntityDeclHandler = self._entity
         self._parser.StartNamespaceDeclHandler = self._namespace
 
+    @property
+    def asks_places(self) -> bool:
+        """Whether rules of style may ask which child of its parent an element is."""
+        return ASKS_PLACES.search("".join(self.rules)) is not None
+
+    @property
+    def is_stream(self) -> bool:
+        """Whether elements can be let go once they are read."""
+        return not self.refers and not ASKS_SIBLINGS.search("".join(self.rules))
+
     def _start(self, name: str, attributes: dict[str, str]) -> None:
         self.count += 1
         if self.count > MOST_ELEMENTS:
@@ -227,8 +271,9 @@ class _Survey(_Parser):
 class _Elements(_Parser):
     """The elements: all at once, or those of groups as they are asked for."""
 
-    def __init__(self, content: bytes, place: Place, is_stream: bool):
+    def __init__(self, content: bytes, place: Place, is_stream: bool, asks_places: bool):
         super().__init__(content, place)
+        self._levels = [Siblings(is_top=True)] if asks_places else []  # of the elements that are open
         self._streamed: frozenset[str] = GROUPS if is_stream else frozenset()
         self._parts = self.parsed()
         self._open: list[tuple[Element, list[Element]]] = []  # of a whole element, and their children
@@ -250,6 +295,9 @@ class _Elements(_Parser):
 
     def _start(self, name: str, attributes: dict[str, str]) -> None:
         element = self._element(name, attributes)
+        if self._levels:
+            element.stand_among(self._levels[-1], not self._streamed)
+            self._levels.append(Siblings())
         if not self._open and element.name in self._streamed:
             element.children = self._inside()
             self._ready.append(element)
@@ -262,6 +310,8 @@ class _Elements(_Parser):
         self._take_text(element.name in WITH_TEXT)
 
     def _end(self, name: str) -> None:
+        if self._levels:
+            self._levels.pop()
         whole = self._open.pop()[0] if self._open else None
         if not self._open:
             self._ready.append(whole)

@@ -4,8 +4,8 @@
     weakest                                                                        strongest
     inherited ──► attribute fill="…" ──► rules: * · tag · .class · #id ──► style="fill:…" ──► those marked !important
 
-Selectors of tags, classes, ids and attributes are known, with ancestors before them ("g.cut path[id]"). Others select
-nothing and are told; those of a pointer (":hover") never select anything in a drawing.
+What selects an element is in selectors.py. Selectors that it does not know select nothing and are told; those of a
+pointer (":hover") never select anything in a drawing.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from typing import Any, NamedTuple
 from CNCStepper.drawing.svg.colours import colour_code
 from CNCStepper.drawing.svg.document import TEXT, Element
 from CNCStepper.drawing.svg.matrices import length
+from CNCStepper.drawing.svg.selectors import Matcher, Selector, parsed_selector, selectors
 from CNCStepper.errors import JobError
 
 INHERITED = {
@@ -46,10 +47,7 @@ MOST_RULES = 5_000
 MOST_SHEET = 1_000_000  # characters of all <style> elements
 MOST_SELECTOR = 2_000  # characters
 MOST_TRIALS = 5_000_000  # of rules on elements
-ATTRIBUTE = r"\[([\w-]+)(?:([~|^$*]?=)[\"']?([\w.-]+)[\"']?)?\]"
-SIMPLE = re.compile(rf"(\*|[\w-]+)?((?:[.#][\w-]+|{ATTRIBUTE})*)")
-PART = re.compile(r"[.#][\w-]+")
-POINTED = re.compile(r":(?:hover|active|focus|visited|target)\b")
+NEVER = re.compile(r":(?:hover|active|focus(?:-\w+)?|visited|target)\b|::")  # of a pointer, and parts of no element
 MOST_UNKNOWN = 100
 SIZE = 16.0  # of CSS: medium
 LARGEST_SIZE = 1e6
@@ -131,31 +129,9 @@ class Style(dict[str, str]):
 
 
 @dataclass(frozen=True)
-class _Compound:
-    """A selector of one element: tag ("" for any), id, classes, and attributes with comparison and value."""
-
-    tag: str
-    ids: frozenset[str]
-    classes: frozenset[str]
-    attributes: tuple[tuple[str, str, str], ...] = ()
-
-    def matches(self, element: Element) -> bool:
-        """Return whether it selects an element."""
-        if self.tag and self.tag != element.name:
-            return False
-        if self.ids and self.ids != {element.get("id")}:
-            return False
-        if self.classes and not self.classes <= set(element.get("class").split()):
-            return False
-        return all(
-            name in element.attributes and _compares(element.get(name), *wanted) for name, *wanted in self.attributes
-        )
-
-
-@dataclass(frozen=True)
 class _Rule:
     order: tuple[int, int, int, int]  # ids, classes, tags, place in the sheet
-    chain: tuple[_Compound, ...]  # the element's own last
+    selector: Selector
     style: tuple[Declaration, ...]
 
 
@@ -166,13 +142,14 @@ class StyleSheet:
         self._rules: dict[str, list[_Rule]] = defaultdict(list)
         self._kept: dict[tuple[str, str, str], tuple[Declaration, ...]] = {}
         self._nested, self._trials = False, 0
+        self._matcher = Matcher(self._tried)
         self.unknown: list[str] = []  # selectors that select nothing here
         self.made: dict[tuple[Any, ...], tuple[Style, Style]] = {}  # see `styled`; the first keeps its id from others
         plain = self._without_at_rules(_without_comments(text[:MOST_SHEET]))
         for number, rule in enumerate(plain.split("}")[:MOST_RULES]):
-            selectors, _, body = rule.rpartition("{")
+            listed, _, body = rule.rpartition("{")
             style = tuple(declarations(body))
-            for selector in selectors[-MOST_SELECTOR:].rpartition("{")[2].split(",") if style else ():
+            for selector in selectors(listed[-MOST_SELECTOR:].rpartition("{")[2]) if style else ():
                 self._add(selector, style, number)
 
     def of(self, element: Element, ancestors: list[Element]) -> tuple[Declaration, ...]:
@@ -200,29 +177,30 @@ class StyleSheet:
     def _selecting(self, element: Element, ancestors: list[Element]) -> tuple[Declaration, ...]:
         keys = {"*", element.name, "#" + element.get("id"), *("." + name for name in element.get("class").split())}
         near = [rule for key in keys & self._rules.keys() for rule in self._rules[key]]
-        self._trials += len(near)
+        self._tried(len(near))
+        chosen = [rule for rule in near if self._matcher.selects(rule.selector, element, ancestors)]
+        chosen.sort(key=lambda rule: rule.order)
+        return tuple(declaration for rule in chosen for declaration in rule.style)
+
+    def _tried(self, count: int = 1) -> None:
+        """Count trials of rules on elements; raises JobError where they are too many."""
+        self._trials += count
         if self._trials > MOST_TRIALS:
             what, advice = "the drawing has too many rules of style", "save it with styles as attributes"
             raise JobError("svg-large", what, limit=f"{MOST_TRIALS}", advice=advice)
-        found = sorted((rule for rule in near if _selected(rule, element, ancestors)), key=lambda rule: rule.order)
-        return tuple(declaration for rule in found for declaration in rule.style)
 
     def _add(self, selector: str, style: tuple[Declaration, ...], number: int) -> None:
-        chain = tuple(_compounds(selector))
-        if not chain or None in chain:
-            if chain and not POINTED.search(selector) and len(self.unknown) < MOST_UNKNOWN:
+        if not selector.strip() or NEVER.search(selector):
+            return
+        parsed = parsed_selector(selector)
+        if parsed is None:
+            if len(self.unknown) < MOST_UNKNOWN:
                 self.unknown.append(selector.strip())
             return
-        compounds = [compound for compound in chain if compound is not None]
-        self._nested = self._nested or len(compounds) > 1 or any(each.attributes for each in compounds)
-        last = compounds[-1]
-        ids, classes = (
-            sum(len(each.ids) for each in compounds),
-            sum(len(each.classes) + len(each.attributes) for each in compounds),
-        )
-        order = ids, classes, sum(bool(each.tag) for each in compounds), number
+        self._nested = self._nested or not parsed.is_simple
+        last = parsed.compounds[-1]
         key = "#" + min(last.ids) if last.ids else "." + min(last.classes) if last.classes else last.tag or "*"
-        self._rules[key].append(_Rule(order, tuple(compounds), style))
+        self._rules[key].append(_Rule((*parsed.strength, number), parsed, style))
 
 
 def _without_comments(text: str) -> str:
@@ -238,41 +216,6 @@ def _closing(text: str, at: int) -> int:
         if not depth:
             return brace.end()
     return len(text)
-
-
-def _compounds(selector: str) -> Iterator[_Compound | None]:
-    """Yield the parts of a selector; None for one that is not known."""
-    for word in selector.replace(">", " ").split():
-        match = SIMPLE.fullmatch(word)
-        attributes = tuple(re.findall(ATTRIBUTE, match[2])) if match else ()
-        parts = PART.findall(re.sub(ATTRIBUTE, "", match[2])) if match else []
-        names = {mark: frozenset(part[1:] for part in parts if part[0] == mark) for mark in ".#"}
-        tag = (match[1] or "") if match else ""
-        yield _Compound("" if tag == "*" else tag, names["#"], names["."], attributes) if match else None
-
-
-def _compares(value: str, how: str, wanted: str) -> bool:
-    """Return whether an attribute's value is what a selector wants of it."""
-    tests = {
-        "": True,
-        "=": value == wanted,
-        "~=": wanted in value.split(),
-        "|=": value == wanted or value.startswith(wanted + "-"),
-        "^=": value.startswith(wanted),
-        "$=": value.endswith(wanted),
-        "*=": wanted in value,
-    }
-    return tests[how]
-
-
-def _selected(rule: _Rule, element: Element, ancestors: list[Element]) -> bool:
-    if not rule.chain[-1].matches(element):
-        return False
-    left = list(rule.chain[:-1])
-    for ancestor in reversed(ancestors):
-        if left and left[-1].matches(ancestor):
-            left.pop()
-    return not left
 
 
 def declarations(text: str) -> Iterable[Declaration]:

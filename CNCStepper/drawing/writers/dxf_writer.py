@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Writes a drawing as DXF R2004 in mm: a polyline with bulges for each chain, on its layer and in its colour.
 
-A layer whose name DXF does not allow gets one that no other layer has. Letters outside the code page are \\U+XXXX.
+A layer whose name DXF does not allow gets one that no other layer has; layers "A" and "a" are one. Letters outside the
+code page are \\U+XXXX.
 """
 
 from __future__ import annotations
@@ -50,14 +51,18 @@ def dxf_bytes(drawing: Drawing) -> bytes:
 
 
 def layer_names(layers: Iterable[str]) -> dict[str, str]:
-    """Return the name in the file for each layer: its own where DXF allows that, else another one that is free."""
+    """Return the name in the file for each layer: its own where DXF allows that, else another one that is free.
+
+    DXF compares names without case: layers that differ by case alone are one, with the name of the first.
+    """
     allowed = {layer: _allowed(layer) for layer in layers}
-    names = {layer: name for layer, name in allowed.items() if layer == name} | {"": LAYER_0}
-    taken = set(names.values())
+    own: dict[str, str] = {}
+    names = {layer: own.setdefault(name.casefold(), name) for layer, name in allowed.items() if layer == name}
+    names[""] = own.setdefault(LAYER_0, LAYER_0)
     for layer, name in allowed.items():
         if layer not in names:
-            names[layer] = next(free for free in _numbered(name) if free not in taken)
-            taken.add(names[layer])
+            names[layer] = next(free for free in _numbered(name) if free.casefold() not in own)
+            own[names[layer].casefold()] = names[layer]
     return names
 
 

@@ -62,9 +62,10 @@ class Piece:
             at = match.end()
         return Piece(text + self.text[at:], columns + self.columns[at:], self.ends_chunk)
 
-    def refused(self, code: str, what: str, at: int, value: str, advice: str) -> ProgramError:
+    def refused(self, code: str, what: str, at: int, value: str, advice: str, limit: str = "") -> ProgramError:
         """Return the error for the character at index `at`."""
-        return ProgramError(code, what, advice=advice, value=value[:40], place=Place(column=self.column(at + 1)))
+        place = Place(column=self.column(at + 1))
+        return ProgramError(code, what, advice=advice, value=value[:40], limit=limit, place=place)
 
 
 def pieces(line: str, dialect: Dialect, as_written: bool = False) -> list[Piece]:
@@ -105,7 +106,7 @@ def records(piece: Piece) -> Iterator[Piece]:
 
 def _unended(record: Piece) -> ProgramError:
     at = len(record.text) - len(record.text.lstrip())
-    return record.refused("record-end", "the record does not end", at, record.text.strip(), "end it with #")
+    return record.refused("record-end", "the record does not end", at, record.text.strip(), "end it with #", "#")
 
 
 def _with_brackets(record: Piece) -> tuple[str, tuple[int, ...]]:

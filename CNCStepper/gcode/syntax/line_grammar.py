@@ -33,6 +33,8 @@ from CNCStepper.toolpath import ARC_CCW, ARC_CW, LINE, RAPID
 
 PLAIN_NUMBER = re.compile(f"(?<=[A-FH-LN-Z]){NUMBER}")  # the number of any word but G and M
 ALWAYS_ALLOWED = frozenset("FSTN")
+MOTIONS = ["G0", "G1", "G2", "G3"]
+MOST_NAMED = 9  # words of a language that a refusal lists
 NEVER_SIMPLE = frozenset(("S", "T", *ALL_AXES[3:], *POLAR))  # words with which a line takes the general way
 SIMPLE_MOTIONS = (RAPID, LINE, ARC_CW, ARC_CCW)
 MOST_PLANS = 4096  # hostile text can have endless shapes; then the plans are forgotten
@@ -190,7 +192,8 @@ class Grammar:
 
     def _refused(self, name: str, what: str, code: str) -> ProgramError:
         advice = self.dialect.refused.get(name, "take it out")
-        return ProgramError(code, what, value=name, advice=advice)
+        known = sorted(self.dialect.letters) if code == "unknown-word" else sorted(self.dialect.codes)
+        return ProgramError(code, what, value=name, limit=_named(known), advice=advice)
 
     def _with_motion(self, codes: list[Code], slots: dict[str, int], modal: int) -> tuple[list[Code], int, bool]:
         """Return the codes with the motion that the axis words belong to, its kind, and whether it moves."""
@@ -232,12 +235,18 @@ class Grammar:
         """Return the code of the modal motion that coordinates alone repeat."""
         code = self.dialect.motion_code(modal)
         if code is None or modal == NO_MOTION:
-            what = "there is no motion that the coordinates could belong to"
-            raise ProgramError("no-motion", what, value=_first_axis(slots), advice="write G0, G1, G2 or G3")
+            raise self._no_motion(_first_axis(slots))
         if modal not in self.dialect.repeats:
             what = Text("coordinates alone may not follow {motion_name}", motion_name=MOTION_NAMES[modal])
             raise ProgramError("no-motion", what, value=_first_axis(slots), advice="write the motion word again")
         return replace(code, sets={}, needs="")  # only the word itself, not its repetition, sets modes
+
+    def _no_motion(self, word: str) -> ProgramError:
+        what = "there is no motion that the coordinates could belong to"
+        motions = [name for name in MOTIONS if name in self.dialect.codes]
+        if motions == MOTIONS:
+            return ProgramError("no-motion", what, value=word, advice="write G0, G1, G2 or G3")
+        return ProgramError("no-motion", what, value=word, limit=_named(motions), advice="write the motion word again")
 
     def _check_words(self, codes: list[Code], slots: dict[str, int]) -> None:
         """Refuse missing and unused words."""
@@ -246,10 +255,13 @@ class Grammar:
             allowed |= set(code.takes) | _axis_letters(code)
             for letter in code.needs:
                 if letter not in slots:
+                    limit = Text("{letter} above 0", letter=letter) if letter == "F" else ""
                     raise ProgramError(
                         "missing-word",
                         Text("{code} needs a {letter} word", code=code.name, letter=letter),
                         value=code.name,
+                        limit=limit,
+                        advice=Text("add {letter}", letter=letter) if limit else "",
                     )
             if code.axes == "must" and not any(axis in slots for axis in ALL_AXES + POLAR):
                 raise ProgramError("missing-axis", Text("{code} needs X, Y or Z", code=code.name), value=code.name)
@@ -257,6 +269,11 @@ class Grammar:
             if letter not in allowed:
                 what = Text("no code on this line uses the word {letter}", letter=letter)
                 raise ProgramError("unused-word", what, value=letter, advice="take it out or add its code")
+
+
+def _named(words: list[str]) -> str:
+    """Return a list of a language's words where it has few: the limit of a refusal."""
+    return ", ".join(words) if len(words) <= MOST_NAMED else ""
 
 
 def _axis_letters(code: Code) -> set[str]:

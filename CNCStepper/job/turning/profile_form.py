@@ -29,6 +29,7 @@ from shapely import LineString
 from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.shapes import Drawn, DxfForm, ShapeKey, read_shapes
+from CNCStepper.job.turning.profile_crossing import crossing_error
 from CNCStepper.quantities import MOST_ITEMS, Coordinate, Width, WidthOr0
 from CNCStepper.tolerances import SAME_MM
 
@@ -109,8 +110,8 @@ def check_profile(chain: Curve) -> None:
         value = Text("radius {radius:.4g} mm at z {z:.4g} mm", radius=points[low, 1], z=points[low, 0])
         raise JobError("profile-axis", what, value=value, limit="radius 0 mm", advice="end it at the axis")
     if not LineString(points).is_simple:
-        raise JobError("profile-crossing", "the profile crosses itself", value=_crossing(points), advice="redraw it")
-    back = np.maximum.accumulate(points[::-1, 0])[::-1] - points[:, 0]
+        raise crossing_error(chain, points, _can_be_turned)
+    back = _way_back_mm(points)
     worst = int(np.argmax(back))
     if back[worst] > SAME_MM:
         what = "the profile has an undercut: it runs back towards the end face"
@@ -119,16 +120,15 @@ def check_profile(chain: Curve) -> None:
         raise JobError("profile-undercut", what, value=value, limit=limit, advice="let z never rise along it")
 
 
-def _crossing(points: np.ndarray) -> str:
-    """Return where a chain of lines crosses itself first."""
-    whole = LineString(points)
-    for last in range(2, len(points)):
-        before, line = LineString(points[:last]), LineString(points[last - 1 : last + 1])
-        place = before.intersection(line).difference(LineString(points[last - 2 : last]).buffer(SAME_MM))
-        if not place.is_empty:
-            z, r = place.centroid.coords[0]
-            return f"at z {z:.4g} mm, radius {r:.4g} mm"
-    return f"{whole.length:.4g} mm long"
+def _can_be_turned(chain: Curve) -> bool:
+    points = chain.points(CHORDS_MM)
+    is_on_its_side = points[:, 1].min() >= -SAME_MM and _way_back_mm(points).max() <= SAME_MM
+    return bool(is_on_its_side and LineString(points).is_simple)
+
+
+def _way_back_mm(points: np.ndarray) -> np.ndarray:
+    """Return how far z rises again after each point."""
+    return np.maximum.accumulate(points[::-1, 0])[::-1] - points[:, 0]
 
 
 def _of_points(rows: tuple[Row, ...], x_is: Xis) -> Curve:

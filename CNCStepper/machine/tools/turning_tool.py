@@ -216,7 +216,9 @@ class TurningTool(BaseModel):
         if self.kind == "parting":
             return Text("parting blade {width:g} mm", width=self.width_mm)
         name = self._insert.code if self._insert else Text("nose {nose:g} mm", nose=self.nose_mm)
-        return Text("{kind} {name}", kind=KINDS[self.kind], name=name)
+        if self.kind == "turning":
+            return Text("turning {name}", name=name)
+        return Text("boring {name}", name=name) if self.kind == "boring" else Text("threading {name}", name=name)
 
     @property
     def kind_words(self) -> str:

@@ -74,6 +74,7 @@ GRBLHAL = Firmware(
     systems=9,
     cycles=True,
     tool_state=True,
+    mist=True,  # the M of its options
     planning_s=FAST_PLANNING_S,
 )
 FLUIDNC = Firmware(

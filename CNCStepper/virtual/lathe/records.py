@@ -98,10 +98,10 @@ class Reader:
         moves = any(axis in words for axis in AXES)
         motion = MOTIONS[motions[-1]] if motions else "" if gs else self.motion
         if moves and not motion:
-            raise _refused(text, "no motion is in force")
+            raise _refused(text, "no motion is in force", "G00, G01")
         feed = _number(words["F"]) if "F" in words else None if motions else self.feed_mm_s
         if motion == "feed" and not (feed and feed > 0):
-            raise _refused(text, "a G01 needs its F")
+            raise _refused(text, "a G01 needs its F", "F above 0 mm/s")
 
     def _set_modes(self, codes: dict[str, list[int]]) -> bool:
         """Take the G words over; return whether a run of G01 begins."""
@@ -153,10 +153,10 @@ def _words(text: str) -> dict[str, str]:
     while at < len(text):
         word = _WORD.match(text, at)
         if not word:
-            raise _refused(text, "it cannot be read")
+            raise _refused(text, "it cannot be read", "a letter and a number")
         letter, number = word[1], word[2]
         if letter not in "NGMXZF" or (letter in words and letter != "G"):
-            raise _refused(text, Text("the word {letter} is not for here", letter=letter))
+            raise _refused(text, Text("the word {letter} is not for here", letter=letter), "N, G, M, X, Z, F")
         words[letter] = f"{words['G']} {number}" if letter == "G" and "G" in words else number
         at = word.end()
         while at < len(text) and text[at] in " \r\n\t":
@@ -171,10 +171,11 @@ def _codes(words: dict[str, str]) -> dict[str, list[int]]:
         if letter in words:
             numbers = words[letter].split()
             if any(not number.isdecimal() or int(number) not in known for number in numbers):
-                raise _refused(f"{letter}{numbers[0]}", "there is no such code")
+                raise _refused(f"{letter}{numbers[0]}", "there is no such code", ", ".join(map(str, known)))
             codes[letter] = [int(number) for number in numbers]
     return codes
 
 
-def _refused(record: str, why: str) -> MachineRefusal:
-    return MachineRefusal("lathe-record", Text("the lathe leaves a record out: {why}", why=why), value=record[:60])
+def _refused(record: str, why: str, limit: str) -> MachineRefusal:
+    what = Text("the lathe leaves a record out: {why}", why=why)
+    return MachineRefusal("lathe-record", what, value=record[:60], limit=limit)

@@ -34,7 +34,7 @@ def register() -> tuple[list[str], list[str], list[str]]:
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
     sheets = _made(operations.SHEETS)
     machine = (*_made(program.COMMANDS), Machines(), Library(), Letters())
-    order, files = _made(ORDERING), (OpenJob(), ExportJob(), Report())
+    order, files = _made(ORDERING), (OpenJob(), ExportJob(), Report(), program.Compare())
     setting_up, manual = (FirstSteps(), Assistant(), Install()), (Help(),)
     turning = _made(TURNING)
     kinds = (drawing, areas, lines_and_holes, sheets)

@@ -103,6 +103,26 @@ def _arrangement(job: Any, selected: list[Any]) -> Any:
     return labelled(api.add_arrangement(job, found), tr("Arrangement"))
 
 
+class Compare(Command):
+    """Compares the motion of two programs."""
+
+    name = "CNCStepper_Compare"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_Compare", "Compare programs…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_Compare", "Lays the tool paths of two programs over each other, and says where they differ"
+    )
+
+    def why_not(self) -> str:
+        """Return why no program can be read."""
+        return missing_packages.why_not()
+
+    def run(self) -> None:
+        """Open the window with the program that is meant."""
+        from CNCStepper.workbench.comparison import open_comparison
+
+        open_comparison(prove_program.meant())
+
+
 class Further(Command):
     """A command that acts on the program in front."""
 

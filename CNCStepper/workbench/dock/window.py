@@ -28,6 +28,7 @@ class ClosingGuard(QtCore.QObject):
 
     def __init__(self, window: Any, link: Any):
         super().__init__(window)
+        self.setObjectName(f"{NAME}_ClosingGuard")
         self._window, self._link = window, link
         self._asking = False
         window.installEventFilter(self)
@@ -39,12 +40,13 @@ class ClosingGuard(QtCore.QObject):
             return False  # PySide2 may take an event for a deleted object that lay at its address
         if not self._link.moment.job_runs:
             return False
-        if self._asking or not self._may_close():
+        if self._asking or not self.may_close():
             event.ignore()
             return True
         return False
 
-    def _may_close(self) -> bool:
+    def may_close(self) -> bool:
+        """Ask what becomes of the job, stop it where that is wanted, and return whether the window may close."""
         self._asking = True
         try:
             answer = self._ask()

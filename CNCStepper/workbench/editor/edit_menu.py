@@ -14,6 +14,7 @@ from CNCStepper.workbench.editor.model.syntax_colours import colours_on
 from CNCStepper.workbench.editor.reader_client import ProgramReader
 from CNCStepper.workbench.editor.text_edit import ProgramEdit
 from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.standard_buttons import name_standard_buttons
 from CNCStepper.workbench.services.translation import later, tr
 
 NAME = "CNCStepper_Editor_verb_"
@@ -126,7 +127,7 @@ def _ask(verb: Verb, parent: Any) -> dict[str, Any] | None:
         layout.addRow(tr(field.label), inputs[field.key])
     kind = QtGui.QDialogButtonBox.StandardButton
     buttons = QtGui.QDialogButtonBox(kind.Ok | kind.Cancel)
-    buttons.button(kind.Ok).setObjectName(f"{NAME}ok")
+    name_standard_buttons(buttons, f"{NAME}values")
     buttons.accepted.connect(dialog.accept)
     buttons.rejected.connect(dialog.reject)
     layout.addRow(buttons)
@@ -176,10 +177,8 @@ class DiffDialog(QtGui.QDialog):
         self._text.setPlainText("\n".join([*answer["diff"][2:], *more]))
         kind = QtGui.QDialogButtonBox.StandardButton
         buttons = QtGui.QDialogButtonBox(kind.Apply | kind.Cancel)
-        apply = buttons.button(kind.Apply)
-        apply.setObjectName(f"{DIFF}_apply")
-        apply.setText(tr("Apply"))
-        apply.clicked.connect(self.accept)
+        name_standard_buttons(buttons, DIFF)
+        buttons.button(kind.Apply).clicked.connect(self.accept)
         buttons.rejected.connect(self.reject)
         layout = QtGui.QVBoxLayout(self)
         for widget in (head, self._text, buttons):

@@ -103,11 +103,11 @@ class ObjectSource:
 
     @property
     def alive(self) -> bool:
-        """Whether the object is still in its document, and that open."""
+        """Whether the object is still in its document, and that open: another one may have its name meanwhile."""
         import FreeCAD
 
         document = FreeCAD.listDocuments().get(self.document_name)
-        return document is not None and document.getObject(self._name) is not None
+        return document is not None and document is self.document and document.getObject(self._name) is not None
 
     @property
     def origin_mm(self) -> tuple[float, float, float]:

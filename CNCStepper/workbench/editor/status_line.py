@@ -11,11 +11,12 @@ from CNCStepper.workbench.editor.model import line_status
 from CNCStepper.workbench.editor.model.error_marks import Mark
 from CNCStepper.workbench.editor.model.word_meanings import meaning_of
 from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.theme_colours import ERROR, letters
 from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Editor_"
 LEAST_WIDTH = 260
-WRONG = "QLabel { color: #d43a2f }"
+WRONG = "QLabel {{ color: {} }}"
 
 
 class StatusLine(QtGui.QWidget):
@@ -43,7 +44,7 @@ class StatusLine(QtGui.QWidget):
         """Show where the cursor is, and why its line is refused or else what its word means."""
         self._cursor.setText(tr("line {0}, column {1}").format(line, column))
         self._word.setText(translated(mark.error.sentence) if mark else meaning_of(word))
-        self._word.setStyleSheet(WRONG if mark else "")
+        self._word.setStyleSheet(WRONG.format(letters(ERROR)) if mark else "")
 
     def show_answer(self, answer: dict[str, Any] | None, duration_s: float | None) -> None:
         """Show what holds after the line, nothing while that is not known."""

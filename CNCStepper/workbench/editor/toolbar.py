@@ -7,11 +7,12 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
+from CNCStepper.workbench.services.theme_colours import ERROR, GOOD, letters
 from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Editor_"
 FIRST_MACHINE = "table-a"
-BAD, GOOD = "QLabel { color: #d43a2f; font-weight: bold }", "QLabel { color: #23803f }"
+COUNT = "QLabel {{ color: {}; font-weight: {} }}"
 
 
 class EditorBar(QtGui.QWidget):
@@ -65,7 +66,7 @@ class EditorBar(QtGui.QWidget):
         """Offer the machines for a file; an object's machine is its job's."""
         from CNCStepper.machine.profile import profile_names
 
-        self._machines.setVisible(not hasattr(source, "obj"))
+        self._machines.setVisible(source.obj is None)
         if not self._machines.count():
             self._machines.addItems(profile_names())
             self._machines.setCurrentText(FIRST_MACHINE)
@@ -73,7 +74,8 @@ class EditorBar(QtGui.QWidget):
     def show_count(self, count: int) -> None:
         """Show how many lines are refused."""
         self._count.setText(tr("{0} errors").format(count) if count else tr("no errors"))
-        self._count.setStyleSheet(BAD if count else GOOD)
+        colour, weight = (ERROR, "bold") if count else (GOOD, "normal")
+        self._count.setStyleSheet(COUNT.format(letters(colour), weight))
 
     def _button(self, name: str, text: str, tip: str) -> Any:
         button = QtGui.QToolButton()

@@ -24,12 +24,12 @@ from CNCStepper.workbench.installation.process import Installation
 from CNCStepper.workbench.services import command, missing_packages
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded, sentence
+from CNCStepper.workbench.services.theme_colours import ERROR, letters
 from CNCStepper.workbench.services.translation import later, tr
 
 NAME = "CNCStepper_Install"
 SIZE = (640, 520)
 DETAILS_PX = 140
-ERROR_COLOUR = "#d32f2f"  # reads on light and on dark
 PURPOSES = {
     dependencies.PROGRAM: later("to make programs"),
     dependencies.MACHINE: later("to reach a machine"),
@@ -171,7 +171,7 @@ class Installer(QtGui.QDialog):
     def _make(self) -> None:
         self.intro, self.place, self.status = (_label(self, name) for name in ("intro", "place", "status"))
         self.error = _label(self, "error")
-        self.error.setStyleSheet(f"color: {ERROR_COLOUR};")
+        self.error.setStyleSheet(f"color: {letters(ERROR)};")
         self.error.hide()
         self.place.setText(_place_words(self.target))
         self.list = QtGui.QListWidget()

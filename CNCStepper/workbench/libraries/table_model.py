@@ -13,6 +13,7 @@ from CNCStepper.workbench.panels.fields import ERROR_COLOUR
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import polled
+from CNCStepper.workbench.services.theme_colours import letters
 
 ROLE = QtCore.Qt.ItemDataRole
 NO_PARENT = QtCore.QModelIndex()
@@ -90,7 +91,7 @@ class TableModel(QtCore.QAbstractTableModel):
         if role == ROLE.ToolTipRole:
             return translated(problem) if problem else None
         if role == ROLE.ForegroundRole and problem:
-            return QtGui.QBrush(QtGui.QColor(ERROR_COLOUR))
+            return QtGui.QBrush(QtGui.QColor(letters(ERROR_COLOUR)))
         return None
 
     @polled

@@ -27,6 +27,7 @@ from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.front_window import in_front
 from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.standard_buttons import name_standard_buttons
 from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Machines"
@@ -158,10 +159,8 @@ class Machines(QtGui.QDialog):
     def make(self, source: str) -> None:
         """Ask for a name, and make a profile from another one."""
         title = tr("Copy of {0}").format(source) if source == self.name else tr("New machine")
-        name, taken = QtGui.QInputDialog.getText(
-            self, title, tr("Name of the profile: letters of a to z, digits, - and _"), text=_free_name(source)
-        )
-        if not taken:
+        name = self._ask_for_name(title, _free_name(source))
+        if name is None:
             return
         try:
             create(name.strip(), source)
@@ -169,6 +168,20 @@ class Machines(QtGui.QDialog):
             messages.error(error)
             return
         self.look(name.strip())
+
+    def _ask_for_name(self, title: str, proposed: str) -> str | None:
+        """Ask for the name of a profile; None when nobody gave one."""
+        dialog = QtGui.QInputDialog(self)
+        dialog.setObjectName(f"{NAME}_question")
+        dialog.setWindowTitle(title)
+        dialog.setLabelText(tr("Name of the profile: letters of a to z, digits, - and _"))
+        dialog.setTextValue(proposed)
+        dialog.setOkButtonText(tr("OK"))  # Qt makes line and buttons for it
+        dialog.findChild(QtGui.QLineEdit).setObjectName(f"{NAME}_question_name")
+        name_standard_buttons(dialog.findChild(QtGui.QDialogButtonBox), f"{NAME}_question")
+        taken = getattr(dialog, "exec", dialog.exec_)()
+        dialog.deleteLater()
+        return str(dialog.textValue()) if taken else None
 
     # --- Qt ----------------------------------------------------------------------------------------
 

@@ -23,12 +23,12 @@ from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.panels.unit_values import measure_of, text_of, value_of_text, whole_of_text
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.theme_colours import ERROR, WARNING, letters
 from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Panel"
-ERROR_COLOUR = "#d32f2f"  # reads on light and on dark
-FRAME = f"border: 1px solid {ERROR_COLOUR}; border-radius: 2px;"  # of what is wrong
-WARNING_COLOUR = "#b26a00"
+ERROR_COLOUR, WARNING_COLOUR = ERROR, WARNING
+FRAME = "border: 1px solid #d32f2f; border-radius: 2px;"  # of what is wrong
 NOTE_SIZE = 0.9  # of the usual letters
 AXES = "XYZ"
 SEEN_AFTER_MS = 300  # what takes less is not worth a flicker
@@ -356,7 +356,27 @@ class CheckField(Field):
 
 
 class ChoiceBox(QtGui.QComboBox):
-    """A box whose open list is as wide as its longest choice."""
+    """A box whose open list is as wide as its longest choice, and that shows where its own text goes on."""
+
+    def shown_text(self) -> str:
+        """Return its text as it is shown, with "…" where the box is too narrow."""
+        option = self._option()
+        styled = QtGui.QStyle.ComplexControl.CC_ComboBox, option, QtGui.QStyle.SubControl.SC_ComboBoxEditField
+        room = self.style().subControlRect(*styled, self).width()
+        return str(self.fontMetrics().elidedText(option.currentText, QtCore.Qt.TextElideMode.ElideRight, room))
+
+    def paintEvent(self, event: Any) -> None:
+        """Draw it; Qt calls this."""
+        painter, option = QtGui.QStylePainter(self), self._option()
+        option.currentText = self.shown_text()
+        painter.drawComplexControl(QtGui.QStyle.ComplexControl.CC_ComboBox, option)
+        painter.drawControl(QtGui.QStyle.ControlElement.CE_ComboBoxLabel, option)
+        painter.end()
+
+    def _option(self) -> Any:
+        option = QtGui.QStyleOptionComboBox()
+        self.initStyleOption(option)
+        return option
 
     def showPopup(self) -> None:
         """Open the list; Qt calls this."""
@@ -429,7 +449,7 @@ def note_label(name: str, colour: str, parent: Any) -> Any:
     note.setObjectName(name)
     note.setWordWrap(True)
     note.setTextFormat(QtCore.Qt.TextFormat.PlainText)
-    note.setStyleSheet(f"color: {colour};")
+    note.setStyleSheet(f"color: {letters(colour)};")
     font = note.font()
     font.setPointSizeF(font.pointSizeF() * NOTE_SIZE)
     note.setFont(font)

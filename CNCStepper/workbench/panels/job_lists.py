@@ -20,6 +20,7 @@ from CNCStepper.workbench.services.icons import icon
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded, note
 from CNCStepper.workbench.services.number_format import planned_text
+from CNCStepper.workbench.services.theme_colours import letters
 from CNCStepper.workbench.services.translation import tr
 
 FEWEST_ROWS, MOST_ROWS = 2, 5  # that are seen at once
@@ -84,7 +85,7 @@ class ObjectList(QtGui.QWidget):
         for obj in self.objects():
             item = QtGui.QListWidgetItem(self.picture(obj), self.words(obj))
             if problem_of(obj):
-                item.setForeground(QtGui.QColor(ERROR_COLOUR))
+                item.setForeground(QtGui.QColor(letters(ERROR_COLOUR)))
                 item.setToolTip(translated(problem_of(obj)))
             self.show_details(item, obj)
             self.list.addItem(item)
@@ -154,7 +155,7 @@ class OperationList(ObjectList):
         warnings = _warnings_of(obj)
         item.setToolTip("\n".join([tool_words(obj.Tool) if is_tool(obj.Tool) else "", *warnings]).strip())
         if warnings:
-            item.setForeground(QtGui.QColor(WARNING_COLOUR))
+            item.setForeground(QtGui.QColor(letters(WARNING_COLOUR)))
 
     def move(self, by: int) -> None:
         """Cut the marked operation earlier or later."""

@@ -10,6 +10,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.panels.fields import NAME
 from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.standard_buttons import PanelButtons
 from CNCStepper.workbench.services.translation import tr
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ CHORD_SHARE = 0.004  # of the shape: how far the picture's chords leave arcs
 FILL, LINE, LINE_PX = "#a9cdf0", "#1b3556", 2.0
 
 
-class ShapeGallery:
+class ShapeGallery(PanelButtons):
     """The task with the pictures; `take` is called with the kind that is chosen, when the task is closed."""
 
     def __init__(self, take: Callable[[str], None]):

@@ -13,6 +13,7 @@ from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.panels.fields import NAME
 from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.standard_buttons import PanelButtons
 from CNCStepper.workbench.services.translation import tr
 
 LOOK_MS, LOOKS = 20, 100  # how often it is looked whether FreeCAD shows the panel, and how many times
@@ -45,7 +46,7 @@ class _UndoObserver:
         self.slotUndoDocument(document)
 
 
-class Panel:
+class Panel(PanelButtons):
     """The interface for FreeCAD's task view; the transaction is open already.
 
     An undo or redo while the panel is open ends that transaction: what follows belongs to a new one. An object that is

@@ -6,6 +6,7 @@ from __future__ import annotations
 from PySide import QtGui
 
 from CNCStepper.errors import JobError
+from CNCStepper.workbench.services.standard_buttons import PanelButtons
 
 
 def require_free() -> None:
@@ -16,7 +17,7 @@ def require_free() -> None:
         raise JobError("task-open", "another task is open in the task panel", advice="close it first")
 
 
-class ViewTask:
+class ViewTask(PanelButtons):
     """A task with Close alone; `end` takes away all that it shows."""
 
     def end(self) -> None:

@@ -24,6 +24,7 @@ from CNCStepper.machine.part_record_table import (
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded, polled
+from CNCStepper.workbench.services.theme_colours import letters
 from CNCStepper.workbench.services.translation import later, tr
 
 ROLE = QtCore.Qt.ItemDataRole
@@ -143,7 +144,7 @@ class RecordsModel(QtCore.QAbstractTableModel):
         problem = self.judged.problems.get((row, column))
         if role == ROLE.ToolTipRole:
             return translated(problem) if problem else None
-        return QtGui.QBrush(QtGui.QColor(ERROR_COLOUR)) if role == ROLE.ForegroundRole and problem else None
+        return QtGui.QBrush(QtGui.QColor(letters(ERROR_COLOUR))) if role == ROLE.ForegroundRole and problem else None
 
     def _figure(self, row: int, key: str) -> str:
         record = self.judged.records[row]

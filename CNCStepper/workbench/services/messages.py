@@ -157,7 +157,9 @@ def _show(
     from PySide import QtCore, QtGui
 
     box = _box(kind, icon, text, more)
-    box.addButton(QtGui.QMessageBox.StandardButton.Ok).setObjectName("CNCStepper_Tell_ok")
+    button = box.addButton(QtGui.QMessageBox.StandardButton.Ok)
+    button.setText(tr("OK"))
+    button.setObjectName("CNCStepper_Tell_ok")
     if remedy:
         button = box.addButton(remedy[0], QtGui.QMessageBox.ButtonRole.ActionRole)
         button.setObjectName("CNCStepper_Tell_remedy")

@@ -32,6 +32,7 @@ from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WorkNote, nam
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded, note
+from CNCStepper.workbench.services.standard_buttons import PanelButtons
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.services.view_fit import show_all
 from CNCStepper.workbench.templates.draft import Content, Draft, rule_of, texts_of
@@ -47,7 +48,7 @@ NEW = ""  # the choice of a template that is made from the job
 Work = Callable[[], None]
 
 
-class TemplatePanel:
+class TemplatePanel(PanelButtons):
     """The interface for FreeCAD's task view; nothing of the document changes before OK."""
 
     def __init__(self, drawing: Any):

@@ -11,6 +11,7 @@ from PySide import QtCore, QtGui
 from CNCStepper.workbench.panels.background_panel import button_row
 from CNCStepper.workbench.panels.fields import NAME, WARNING_COLOUR
 from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.theme_colours import letters
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.templates.draft import IGNORE, MARKS, Content, takes_words, texts_of
 
@@ -82,7 +83,7 @@ class RuleList(QtGui.QWidget):
         if counts is not None:
             last = _item(tr("no rule"), str(untaken), tr("not cut"), "")
             for column in range(4 if untaken else 0):
-                last.setForeground(column, QtGui.QColor(WARNING_COLOUR))
+                last.setForeground(column, QtGui.QColor(letters(WARNING_COLOUR)))
             self.tree.addTopLevelItem(last)
         self.tree.setCurrentItem(self.tree.topLevelItem(row))
         self.tree.blockSignals(False)

@@ -22,6 +22,7 @@ CHAINS = (
 )
 LINES = 4_000
 MOST_BYTES = 140  # a line that is read, with all that it is known by
+MOST_PEAK_BYTES = 280  # a line of no chain while it is read and joined, its columns in two layouts among them
 
 
 def test_chains_come_out_of_columns_as_they_went_in() -> None:
@@ -42,9 +43,9 @@ def svg_of_lines(path: Path) -> None:
     path.write_text(head + "".join(rows) + "</g></svg>", "utf-8")
 
 
-def dxf_of_lines(path: Path) -> None:
+def dxf_of_lines(path: Path, count: int = LINES) -> None:
     document = ezdxf.new("R2010", units=4)
-    for number in range(LINES):
+    for number in range(count):
         document.modelspace().add_line((2 * number, 0), (2 * number, number % 7 + 1))
     document.saveas(path)
 
@@ -60,3 +61,19 @@ def test_a_line_that_is_read_takes_little_memory(tmp_path: Path, name: str, writ
     tracemalloc.stop()
     assert len(drawing.chains) == LINES
     assert kept / LINES < MOST_BYTES
+
+
+def test_what_reading_a_dxf_takes_grows_by_little_more_than_its_columns(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("CNCStepper.input_file.CHUNK_BYTES", 1 << 16)
+    monkeypatch.setattr("CNCStepper.geometry.chain_joining.MEASURED", 1_000)
+    peaks = {}
+    for count in (LINES, 3 * LINES):
+        dxf_of_lines(tmp_path / f"{count}.dxf", count)
+        read_drawing(tmp_path / f"{count}.dxf", ReadOptions())  # imports
+        tracemalloc.start()
+        read_drawing(tmp_path / f"{count}.dxf", ReadOptions())
+        peaks[count] = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+    assert (peaks[3 * LINES] - peaks[LINES]) / (2 * LINES) < MOST_PEAK_BYTES

@@ -116,3 +116,21 @@ def test_solids_are_areas_and_external_references_are_named(tmp_path: Path) -> N
     assert [(each.kind, each.handle, each.why) for each in drawing.skipped] == [
         ("INSERT", "other", "an external reference, whose file is not opened")
     ]
+
+
+def test_layers_that_differ_by_case_alone_are_one_named_as_the_table_names_it(tmp_path: Path) -> None:
+    document = ezdxf.new("R2010", units=ezdxf.units.MM)
+    document.layers.add("Corte", color=1)
+    space = document.modelspace()
+    for number, layer in enumerate(("CORTE", "corte", "other", "Other")):
+        space.add_line((0, number), (5, number), {"layer": layer})
+        space.add_lwpolyline([(5, number, 0), (9, number, 9)][:2], "xyb", dxfattribs={"layer": layer.swapcase()})
+        space.add_ellipse((20, 9 * number), (5, 0), 0.5, dxfattribs={"layer": layer.swapcase()})
+    path = tmp_path / "case.dxf"
+    document.saveas(path)
+    drawing = read_dxf(path, 0.01)
+    assert [(layer.name, len(layer.curves)) for layer in drawing.layers] == [("Corte", 4), ("other", 4)]
+    assert {(chain.attributes.layer, chain.attributes.colour) for chain in drawing.chains} == {
+        ("Corte", RED),
+        ("other", BLACK),
+    }

@@ -267,7 +267,8 @@ def test_curves_that_take_too_long_together_refuse_the_drawing(tmp_path: Path, m
 
 
 @pytest.mark.slow
-def test_a_long_drawing_says_how_far_it_is_and_can_be_ended(tmp_path: Path) -> None:
+def test_a_long_drawing_says_how_far_it_is_and_can_be_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("CNCStepper.input_file.CHUNK_BYTES", 50_000)
     path, shares = lines_file(tmp_path, 3000), []
     read_dxf(path, 0.005, share=shares.append)
     assert len(shares) > 5 and shares == sorted(shares) and 0 < shares[0] < 0.6 < shares[-1] == 1
@@ -288,3 +289,12 @@ def test_vertices_of_an_old_polyline_are_points_of_it(tmp_path: Path, monkeypatc
     document = ezdxf.new("R12")
     document.modelspace().add_polyline2d([(index, index % 7) for index in range(1000)])
     assert read(document, tmp_path).layers
+
+
+@pytest.mark.parametrize(("count", "characters"), [(1, 2_000_000), (40, 60_000)])
+def test_a_text_is_measured_before_it_is_taken_apart(tmp_path: Path, count: int, characters: int) -> None:
+    one = "0\nTEXT\n5\n{:X}\n8\n0\n10\n0\n20\n0\n40\n5\n1\n" + "%%k" * (characters // 3) + "\n"
+    lines = lines_file(tmp_path, 3).read_text().replace("LINE\n  8", "LINE\n5\nA1\n  8", 1)
+    texts = "".join(one.format(0x100 + number) for number in range(count))
+    (tmp_path / "text.dxf").write_text(lines.replace("  0\nENDSEC", texts + "  0\nENDSEC"))
+    assert "too much text" in refused(tmp_path / "text.dxf")

@@ -15,7 +15,7 @@ import pytest
 
 from CNCStepper.drawing.drawing import Drawing
 from CNCStepper.drawing.dxf.group_text import NotSplit
-from CNCStepper.drawing.dxf.plain_entities import SplitText, split_text
+from CNCStepper.drawing.dxf.plain_entities import PlainEntities, SplitText, split_text
 from CNCStepper.drawing.dxf.reader import read_dxf
 
 SEEDS = range(12)
@@ -58,7 +58,7 @@ def add_random(space: Any, rng: np.random.Generator, kinds: list[str]) -> str:
     return case
 
 
-def left_to_ezdxf(content: bytes) -> SplitText:
+def left_to_ezdxf(chunks: object) -> SplitText:
     raise NotSplit
 
 
@@ -75,7 +75,7 @@ def assert_same(one: Drawing, other: Drawing) -> None:
 def test_both_ways_give_the_same_drawing(
     tmp_path: Path, version: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr("CNCStepper.drawing.dxf.plain_entities.BLOCK", 7)  # several blocks of entities in each file
+    monkeypatch.setattr("CNCStepper.input_file.CHUNK_BYTES", 1500)  # several windows in each file
     cases, read_straight = Counter[str](), 0
     for seed in SEEDS:
         rng = np.random.default_rng(seed)
@@ -88,7 +88,7 @@ def test_both_ways_give_the_same_drawing(
         cases.update(add_random(document.modelspace(), rng, kinds) for _ in range(40))
         path = tmp_path / f"{seed}.dxf"
         document.saveas(path)
-        split = split_text(path.read_bytes())
+        split = split_text([path.read_bytes()])
         read_straight += len(split.plain)
         straight = read_dxf(path, 0.01)
         with monkeypatch.context() as patch:
@@ -125,14 +125,14 @@ def text(entities: str) -> bytes:
 def test_what_is_not_ordinary_is_left_to_ezdxf(changed: tuple[str, str]) -> None:
     other = LINE.replace("A1", "A2").replace(*changed)
     assert other != LINE.replace("A1", "A2")
-    split = split_text(text(LINE + other))
+    split = split_text([text(LINE + other)])
     assert [entity.handle for entity in split.plain] == ["A1"]
     assert split.numbers == {"A2": 1} and split.rest == text(other)
 
 
 def test_a_bulge_before_the_first_vertex_is_not_given_to_the_polyline_before() -> None:
     square = "0\nLWPOLYLINE\n5\n{}\n8\n0\n90\n2\n70\n1\n{}10\n0\n20\n0\n10\n9\n20\n0\n"
-    split = split_text(text(square.format("A1", "") + square.format("A2", "42\n1\n")))
+    split = split_text([text(square.format("A1", "") + square.format("A2", "42\n1\n"))])
     (before,) = split.plain
     assert before.handle == "A1" and not before.curve.bulge.any() and split.numbers == {"A2": 1}
 
@@ -150,14 +150,14 @@ def test_a_bulge_before_the_first_vertex_is_not_given_to_the_polyline_before() -
 )
 def test_a_damaged_file_or_one_without_handles_is_left_to_ezdxf(content: bytes) -> None:
     with pytest.raises(NotSplit):
-        split_text(content)
+        split_text([content])
 
 
 @pytest.mark.parametrize("fault", [TypeError, ValueError, LookupError])
 def test_a_fault_of_the_quick_reader_is_not_hidden(
     tmp_path: Path, fault: type[Exception], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def faulty(content: bytes) -> SplitText:
+    def faulty(chunks: object) -> SplitText:
         raise fault("planted")
 
     path = tmp_path / "line.dxf"
@@ -173,7 +173,10 @@ def test_a_rest_that_ezdxf_refuses_is_a_fault_where_the_file_is_whole(
     path = tmp_path / "line.dxf"
     path.write_bytes(text(LINE))
     assert read_dxf(path, 0.01).damage == ""
-    monkeypatch.setattr("CNCStepper.drawing.dxf.reader.split_text", lambda content: SplitText((), content[:-20], {}))
+    monkeypatch.setattr(
+        "CNCStepper.drawing.dxf.reader.split_text",
+        lambda chunks: SplitText(PlainEntities(), b"".join(chunks)[:-20], {}),
+    )
     with pytest.raises(ezdxf.DXFError):
         read_dxf(path, 0.01)
 
@@ -184,7 +187,7 @@ def test_a_full_circle_is_closed_and_a_half_turn_is_one_arc() -> None:
     document.modelspace().add_circle((1, 2), 3)
     document.modelspace().add_arc((0, 0), 2, 0, 180)
     document.write(stream)
-    split = split_text(stream.getvalue().encode())
+    split = split_text([stream.getvalue().encode()])
     circle, half = (entity.curve for entity in split.plain)
     assert circle.closed and circle.area_mm2 == pytest.approx(9 * math.pi) and len(circle) == 2
     assert len(half) == 1 and half.length_mm == pytest.approx(2 * math.pi)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import gzip
 import math
+import time
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -417,9 +418,78 @@ def test_an_empty_drawing_is_refused_with_what_it_holds(tmp_path: Path) -> None:
 
 def test_rules_select_by_attributes_and_unknown_selectors_are_told(tmp_path: Path) -> None:
     body = """<style>rect {fill:none} [id^=cut] {stroke:red} rect[id="b"], rect:hover {stroke:#00f}
-    rect[class~=two], rect[data-x] {stroke:lime} rect:last-child {display:none}</style>
+    rect[class~=two], rect[data-x] {stroke:lime} rect:empty {display:none}</style>
     <rect id="cut1" width="5" height="5"/><rect id="b" x="10" width="5" height="5"/>
     <rect class="one two" x="20" width="5" height="5"/><rect id="c" x="30" width="5" height="5" stroke="black"/>"""
     read = drawing(tmp_path, body)
     assert [chain.attributes.colour for chain in read.chains] == ["#ff0000", "#0000ff", "#00ff00", "#000000"]
-    assert read.warnings == ("1 rules of style are not applied, because of their selectors: rect:last-child",)
+    assert read.warnings == ("1 rules of style are not applied, because of their selectors: rect:empty",)
+
+
+SELECTED = [  # a selector, and which of the rectangles below it selects
+    ("#g > rect", "abcd"),
+    ("svg > rect", "fh"),
+    ("svg rect", "abcdefh"),
+    ("g > g rect", "e"),
+    ("g rect:first-child", "ae"),
+    ("rect:last-child", "eh"),
+    ("rect:only-child", "e"),
+    ("rect:nth-child(2n+1)", "acefh"),
+    ("rect:nth-child(even)", "bd"),
+    ("rect:nth-child(-n + 2)", "abe"),
+    ("rect:nth-last-child(1)", "eh"),
+    ("rect:nth-of-type(2)", "bh"),
+    ("rect:first-of-type", "aef"),
+    ("rect:last-of-type", "deh"),
+    ("g circle ~ rect, rect#b + rect", "c"),
+    ("rect ~ rect", "bcdh"),
+    ("rect + rect", "bcd"),
+    ("g + rect", "f"),
+    ("#g ~ rect", "fh"),
+    ("#f ~ circle + rect", "h"),
+    ("rect:not(.x):not(#a)", "cdefh"),
+    (":is(#a, .x, [data-n='h, i'])", "abh"),
+    ("#g > :where(#a, .x)", "ab"),
+    ("rect[data-n$=i], rect[data-n='two words']", "ch"),
+    ("rect[inkscape|label=d]", "d"),
+    ("svg|rect.x", "b"),
+    (":root > rect:nth-child( 3 )", "f"),
+    ("g > g > g rect", ""),
+]
+
+
+@pytest.mark.parametrize(("selector", "selected"), SELECTED)
+def test_rules_select_by_the_places_of_elements(tmp_path: Path, selector: str, selected: str) -> None:
+    rows = {name: f'<rect id="{name}" width="5" height="5" x="{9 * x}"' for x, name in enumerate("abcdefh")}
+    body = f"""<style>rect {{stroke:red; fill:none}} {selector} {{stroke:lime !important}}</style>
+    <g id="g" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape">{rows["a"]}/>{rows["b"]} class="x y"/>
+    {rows["c"]} data-n="two words"/>{rows["d"]} inkscape:label="d"/><g>{rows["e"]}/></g></g>
+    {rows["f"]}/><circle r="0"/>{rows["h"]} data-n="h, i"/>"""
+    read = drawing(tmp_path, body)
+    assert "".join(chain.attributes.name for chain in read.chains if chain.attributes.colour == "#00ff00") == selected
+    assert len(read.chains) == 7 and not read.warnings
+
+
+def test_the_strength_of_a_selector_counts_what_is_in_its_brackets(tmp_path: Path) -> None:
+    body = """<style>rect:not(#z) {stroke:red} g rect.x {stroke:lime} g > rect {stroke:blue} :where(#a, #b) {fill:red}
+    rect {fill:none}</style>
+    <g><rect id="a" class="x" width="5" height="5"/><rect id="b" x="9" width="5" height="5"/></g>"""
+    assert {chain.attributes.colour for chain in drawing(tmp_path, body).chains} == {"#ff0000"}
+    assert not any(chain.attributes.filled for chain in drawing(tmp_path, body).chains)
+
+
+def test_ten_thousand_elements_behind_each_other_are_selected_in_bounded_time(tmp_path: Path) -> None:
+    rows = "".join(f'<path d="M{3 * x} 0v5"/>' for x in range(10_000))
+    began_s = time.process_time()
+    read = drawing(tmp_path, f"<style>path {{stroke:red}} g ~ path, path ~ path {{stroke:lime}}</style>{rows}")
+    assert time.process_time() - began_s < 5.0
+    assert sum(chain.attributes.colour == "#00ff00" for chain in read.chains) == 9_999
+
+
+@pytest.mark.parametrize(
+    "selector",
+    ["rect:nth-child(n of .x)", "rect:has(g)", "rect >", "> rect", "rect:nth-child(99999999999999999999)", "["],
+)
+def test_a_selector_that_is_not_known_is_told(tmp_path: Path, selector: str) -> None:
+    read = drawing(tmp_path, f'<style>{selector} {{display:none}}</style><rect width="5" height="5"/>')
+    assert len(read.chains) == 1 and read.warnings[0].startswith("1 rules of style are not applied")

@@ -12,6 +12,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME
 from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.theme_colours import letters
 from CNCStepper.workbench.services.translation import tr
 
 FEWEST_ROWS, MOST_ROWS = 3, 8  # that are seen at once
@@ -80,7 +81,7 @@ class PartTable(QtGui.QTableWidget):
         for number, (lie, wanted) in enumerate(counts[: self.rowCount()]):
             item = self.item(number, PLACED)
             item.setText(f"{lie} / {wanted}")
-            item.setForeground(QtGui.QColor(ERROR_COLOUR) if lie < wanted else self.palette().text())
+            item.setForeground(QtGui.QColor(letters(ERROR_COLOUR)) if lie < wanted else self.palette().text())
         self.resizeColumnToContents(PLACED)
 
     def set_cell(self, row: int, key: str, value: int) -> None:

@@ -14,12 +14,15 @@ import ezdxf
 import pytest
 from click.testing import CliRunner
 
+from CNCStepper import kernel_cache
 from CNCStepper.cli import job_file
 from CNCStepper.cli.common import progress as progress_module
+from CNCStepper.cli.common.language import OVERRIDE
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.editing import convert as convert_verb
 from CNCStepper.cli.main import group
 from CNCStepper.cli.program import check
+from CNCStepper.errors import Text
 from CNCStepper.gcode.conversion import convert
 from CNCStepper.gcode.interpreter import program_file
 from CNCStepper.gcode.interpreter.fast_path import text_runs
@@ -61,6 +64,15 @@ def test_a_terminal_hears_what_is_done_and_how_far_it_is_and_is_left_clean() -> 
     assert last[1] == "" and not last[0].strip() and len(last[0]) >= len("timing: 50%")
 
 
+def test_a_stage_is_shown_in_the_language_of_the_locale(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(OVERRIDE, "pt")
+    terminal = Terminal("(Ctrl+C interrompe)")
+    stage = Text("{stage} {name}", stage=check.STAGES["read"], name="a.nc")
+    with Progress(stage, terminal, patience_s=0.01):
+        assert terminal.said.wait(30), terminal.getvalue()
+    assert "lendo de volta a.nc: 0 s" in terminal.getvalue()
+
+
 def test_who_is_quick_says_nothing() -> None:
     terminal, file = Terminal("reading"), io.StringIO()
     with Progress("reading", terminal, patience_s=60):
@@ -83,6 +95,17 @@ def test_a_file_gets_a_line_now_and_then(monkeypatch: pytest.MonkeyPatch) -> Non
 def test_every_stage_has_its_words() -> None:
     assert tuple(check.STAGES) == STAGES
     assert tuple(convert_verb.STAGES) == convert.STAGES
+
+
+def test_a_first_run_says_that_kernels_are_compiled(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv(kernel_cache.VARIABLE, str(tmp_path))
+    monkeypatch.setattr(kernel_cache, "folder", lambda: tmp_path)
+    (kernel := tmp_path / "geometry").mkdir()
+    terminal = Terminal("s, compiling the kernels")
+    with Progress("reading", terminal, patience_s=0.01):
+        assert terminal.said.wait(30)
+    os.utime(kernel, (0, 0))
+    assert not kernel_cache.has_grown(progress_module.COMPILED_S)
 
 
 def zigzag(tmp_path: Path) -> Path:

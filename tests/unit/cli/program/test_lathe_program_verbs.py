@@ -97,6 +97,14 @@ def test_tools_come_from_the_tool_table_too(program, tmp_path: Path) -> None:
     assert "Z-20: diameter 50.0000 mm" in ended.stdout, ended.stdout + ended.stderr
 
 
+def test_a_nose_that_is_not_known_is_no_fault_of_the_dialect(program) -> None:
+    """Another dialect, which knows no G7, is not tried for a diameter that the tool table has to give."""
+    file = program("G7", (("G42 G1", 25, 5), ("G1", 25, -40)))
+    ended = called("check", file, "--machine", "linuxcnc-lathe")
+    assert "[tool-diameter]" in ended.stdout + ended.stderr
+    assert "--tool-table" in ended.stderr and "conversion" not in ended.stderr
+
+
 def test_time_and_edit_say_how_x_is_given(program) -> None:
     for verb in (("time", program("G7"), "--machine", "table-a"), ("edit", "feeds", program("G7"), "--factor", "0.5")):
         ended = called(*verb, "--dialect", "linuxcnc")

@@ -16,6 +16,7 @@ import shapely
 from click.testing import CliRunner, Result
 from shapely import LineString, Polygon, affinity
 
+from CNCStepper.cli.common.language import OVERRIDE
 from CNCStepper.cli.main import group
 from CNCStepper.drawing.read_drawing import ReadOptions, read_drawing
 from CNCStepper.errors import JobError
@@ -57,7 +58,9 @@ def instance(folder: Path, items: list[dict], height: object = 30.0) -> Path:
 
 
 @pytest.mark.parametrize("own", [True, False])
-def test_an_instance_gives_placements_and_its_density_last(tmp_path: Path, own: bool) -> None:
+def test_an_instance_gives_placements_and_its_density_last(
+    tmp_path: Path, own: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
     items = [{"demand": 6, "rotations_deg": [0.0, 180.0], "polygon": [*TRIANGLE, TRIANGLE[0]]}]
     done = run(instance(tmp_path, items), "--time", 3, "-o", tmp_path / "out", *["--no-spyrrow"] * own)
     assert done.exit_code == 0, done.output
@@ -72,8 +75,10 @@ def test_an_instance_gives_placements_and_its_density_last(tmp_path: Path, own: 
     density = 6 * 150.0 / (30.0 * max(part.bounds[2] for part in parts))
     assert done.stdout.splitlines()[-1] == f"density {density:.3f}" and density > 0.7
     assert (tmp_path / "out" / "nest.png").stat().st_size > 5000
+    monkeypatch.setenv(OVERRIDE, "pt")
     again = run(instance(tmp_path, items), "--time", 1, "-o", tmp_path / "out", "--no-spyrrow")
     assert again.exit_code == 0, "its own files are replaced"
+    assert "6 peças em uma faixa" in again.output.splitlines(), "no value stays English in a Portuguese sentence"
 
 
 def test_an_order_of_drawings_gives_drawings_and_a_remnant_that_is_a_sheet(tmp_path: Path) -> None:

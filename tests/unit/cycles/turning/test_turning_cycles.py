@@ -153,6 +153,14 @@ HOLLOW = Curve(
         ("turn_finish", {**CNMG, "hand": "left", "kind": "boring"}, SHAFT, {}, "profile-tool", "right-hand"),
         ("turn_finish", CNMG, from_points([(-40, 10), (-50, 10)]), {}, "profile-begin", "z 1 mm"),
         ("turn_finish", {"insert": "CCMT 060204", "kind": "boring"}, SHAFT, {}, "bore-missing", "above 0 mm"),
+        (
+            "turn_thread",
+            {"insert": "16IR 1.5 ISO", "kind": "threading"},
+            SHAFT,
+            {"thread": "M20x1.5"},
+            "bore-missing",
+            "above 0 mm",
+        ),
         ("turn_face", {**CNMG, "lead_deg": 75.0}, None, {}, "insert-front", "at most 90 deg"),
         ("turn_face", CNMG, None, {"to_z_mm": 3.0}, "face-outside", "z 1 mm at most"),
         ("turn_drill", CNMG, None, {"depth_mm": 5.0}, "drill-tool", "drill"),
@@ -163,6 +171,46 @@ def test_what_cannot_be_turned_is_refused_with_the_number_that_would_do(cycle, t
     with pytest.raises(CycleError) as refusal:
         rows_of(cycle, tool, profile, **keys)
     assert refusal.value.code == code and limit in refusal.value.limit
+
+
+NECK, OPEN = [(0, 18), (-10, 18), (-10, 12)], [(-20, 12), (-40, 20)]
+TO_LEFT = "left-hand insert T (60 deg) at an entering angle of 90 to 98.2"
+CHOICES = [  # what the tool does not reach, what is advised, and a tool that the advice means
+    (
+        [*NECK, (-30, 12)],
+        {},
+        "use an insert V (35 deg) at an entering angle of 0 to 55",
+        ("VBMT 160404", "right", 55.0),
+    ),
+    ([*NECK, *OPEN], {}, TO_LEFT, ("TNMG 160408", "left", 98.0)),
+    ([*NECK, *OPEN], {"hand": "left"}, TO_LEFT.removeprefix("left-hand "), ("TNMG 160408", "left", 91.0)),
+    (
+        [(0, 15), (-10, 10), (-10, 20)],
+        {},
+        "T (60 deg) at an entering angle of 90 to 93",
+        ("TNMG 160408", "right", 93.0),
+    ),
+    ([(0, 15), (-10, 15), (-10, 18)], {"lead_deg": 75.0}, "C (80 deg) at an entering", ("CNMG 120408", "right", 90.0)),
+]
+
+
+@pytest.mark.parametrize(("points", "tool", "words", "other"), CHOICES)
+def test_the_advice_names_an_insert_that_reaches(points, tool, words, other):
+    with pytest.raises(CycleError) as refusal:
+        rows_of("turn_finish", {**CNMG, **tool}, from_points(points))
+    assert refusal.value.code in ("insert-front", "insert-back") and words in refusal.value.advice
+    mended = dict(zip(("insert", "hand", "lead_deg"), other, strict=True))
+    assert feeds(rows_of("turn_finish", mended, from_points(points))[0])
+
+
+def test_where_no_insert_reaches_the_advice_names_the_blade_or_the_angle():
+    slot, notch = [(-16, 12), (-16, 18), (-30, 18)], [(-12, 18), (-30, 18)]
+    for walls, words in ((slot, "a blade of 6 mm or narrower, 8 mm deep"), (notch, "it must fill 18.43 deg or less")):
+        with pytest.raises(CycleError) as refusal:
+            rows_of("turn_finish", CNMG, from_points([*NECK, *walls]))
+        assert words in refusal.value.advice
+    keys = {"z_mm": -16.0, "width_mm": 6.0, "diameter_mm": 24.0, "top_diameter_mm": 40.0}
+    assert feeds(rows_of("turn_groove", {"kind": "parting", "width_mm": 6.0, "reach_mm": 8.0}, **keys)[0])
 
 
 def test_a_narrow_groove_a_deep_one_and_a_narrow_hole_are_refused():

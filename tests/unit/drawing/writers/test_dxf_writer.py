@@ -37,13 +37,16 @@ def test_the_order_of_hashes_is_not_in_the_file() -> None:
     assert found.pop().count(b"LWPOLYLINE") == 2
 
 
-def test_layers_keep_their_letters_and_no_two_become_one(tmp_path: Path) -> None:
+def test_layers_keep_their_letters_and_no_two_become_one_but_for_case(tmp_path: Path) -> None:
     named = {
         "çã corte é": "çã corte é",
         "切断": "切断",
         "a_b": "a_b",
         "a;b": "a_b_2",
         "a*b": "a_b_3",
+        "A*B": "A_B_4",
+        "Cut": "Cut",
+        "cUT": "Cut",  # DXF compares names without case
         "": "0",
         "0": "0",
         "x" * 300: "x" * 255,

@@ -8,7 +8,9 @@ whose ends are rounded, a pocket behind a cylinder) are in tests/data/ngc and ju
 from __future__ import annotations
 
 import subprocess
+from dataclasses import replace
 from math import hypot
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,7 +19,7 @@ from shapely import LineString, Point
 from CNCStepper.errors import ProgramError
 from CNCStepper.gcode.interpreter.canonical_trace import canonical_calls
 from CNCStepper.gcode.interpreter.interpret import interpret
-from CNCStepper.state import Start
+from CNCStepper.state import Start, ToolEntry
 from CNCStepper.toolpath import LINE, RAPID
 from helpers.cycles.seeds import SEEDS
 from helpers.gcode.rs274_runs import run_rs274, same_call
@@ -81,18 +83,62 @@ def profile_of(seed: int) -> np.ndarray:
     return np.column_stack([x, z])
 
 
-def program_of(corners: np.ndarray, orientation: int) -> str:
-    words = [f"X{x:.6f} Z{z:.6f}" for x, z in corners]
+def program_of(corners: np.ndarray, orientation: int, x_factor: float = 1.0, of_tool: bool = False) -> str:
+    """x_factor: 2 with X as diameter. of_tool: radius and orientation are the tool table's, not D and L."""
+    words = [f"X{x_factor * x:.6f} Z{z:.6f}" for x, z in corners]
     return "\n".join(
         [
             "G21 G18 G90 G8 F100",
-            "G0 X40 Y0 Z10",
-            f"G42.1 D{2 * RADIUS} L{orientation}",
+            *(["T7 M6", "G43"] if of_tool else []),
+            "G7" if x_factor == 2.0 else "G8",
+            f"G0 X{40 * x_factor} Y0 Z10",
+            "G42" if of_tool else f"G42.1 D{x_factor * 2 * RADIUS} L{orientation}",
             *[f"G1 {word}" for word in words],
-            "G40 G1 X60 Z0",
+            f"G40 G1 X{60 * x_factor} Z0",
             "M2",
         ]
     )
+
+
+def with_an_arc(text: str, sign: float) -> str:
+    """Return a program of a bore or a shaft in which the third line along the profile is an arc; sign: of its I."""
+    lines = text.splitlines()
+    at = [number for number, line in enumerate(lines) if line.startswith("G1 X")][2]
+    lines[at] = lines[at].replace("G1", "G2" if sign > 0 else "G3") + f" R{30.0:.6f}"
+    return "\n".join(lines)
+
+
+def rs274_with_tool(text: str, orientation: int, folder: Path) -> tuple[list[str], bool]:
+    """Return rs274's calls with tool 7, and whether it took the program; its stand-alone table is in inches."""
+    row = f"T7 P7 D{2 * RADIUS / 25.4:.8f} Q{orientation} X{1.5 / 25.4:.8f} Z{-2.0 / 25.4:.8f}\n"
+    (folder / "tool.tbl").write_text(row)
+    (folder / "program.ngc").write_text(text)
+    run = run_rs274(folder, "-t", "tool.tbl", "program.ngc")
+    return [line.rstrip() for line in run.stdout.splitlines() if line.strip()], run.returncode == 0
+
+
+@pytest.mark.parametrize("orientation", CONTROL_POINT)
+def test_rs274_drives_the_compensated_moves_of_a_lathe_program(orientation, tmp_path):
+    """G41 and G42, X as radius and diameter, nose and orientation from words and from the tool, lines and arcs."""
+    of_tool, has_arc, is_left = orientation % 2 == 0, orientation % 3 == 0, orientation % 4 > 1
+    taken = 0
+    for x_factor in (1.0, 2.0):
+        for seed in SEEDS[orientation - 1 :: 9]:
+            text = program_of(profile_of(seed), orientation, x_factor, of_tool)
+            text = with_an_arc(text, 1.0 if seed % 2 else -1.0) if has_arc else text
+            text = text.replace("G42", "G41") if is_left else text
+            theirs, is_taken = rs274_with_tool(text, orientation, tmp_path)
+            tool = ToolEntry(7, (1.5, 0.0, -2.0, *[0.0] * 6), 2 * RADIUS, orientation=orientation)
+            start = replace(Start.at_zero(), tools={7: tool})
+            try:
+                ours = [call.rstrip() for call in canonical_calls(text, start=start) if call.strip()]
+            except ProgramError as refusal:
+                assert not is_taken, (seed, text, refusal)
+                continue
+            assert is_taken, (seed, text, theirs[-3:])
+            assert [pair for pair in zip(ours, theirs, strict=True) if not same_call(*pair)] == []
+            taken += 1
+    assert taken >= 2
 
 
 @pytest.mark.parametrize("orientation", CONTROL_POINT)

@@ -12,7 +12,8 @@ from CNCStepper.simulation.turning.swept_outline import moves_of
 from helpers.cycles.seeds import SEEDS
 from helpers.job.random_turning import random_job
 
-WAYS = [{}, {"inside": True}, {"along": "x"}, {"along": "profile"}]
+WAYS = [{}, {"inside": True}, {"along": "x"}, {"along": "profile"}, {"hand": "left"}]
+LEFT = [{"hand": "left"}, {"hand": "left", "along": "x"}, {"hand": "left", "along": "profile"}]
 
 
 def judged(job):
@@ -22,9 +23,14 @@ def judged(job):
     return judge_turning(moves, setup_of(job), job.x_is), answers
 
 
+def way(seed: int) -> dict[str, str]:
+    found = WAYS[seed % len(WAYS)]
+    return LEFT[seed // len(WAYS) % len(LEFT)] if "hand" in found else found
+
+
 @pytest.mark.parametrize("seed", SEEDS)
 def test_random_profiles_are_cut_without_gouge_or_rapid_in_stock(seed):
-    job = random_job(seed, "mini-lathe", **WAYS[seed % len(WAYS)])
+    job = random_job(seed, "mini-lathe", **way(seed))
     verdict, answers = judged(job)
     assert [str(finding) for finding in verdict.findings if finding.severity != "info"] == []
     assert verdict.report()["deepest_cut_mm"] > 0
@@ -42,3 +48,18 @@ def test_the_random_profiles_hold_the_hard_cases():
     assert max(falls) >= 2 and max(steps) >= 2
     assert any((curve.bulge > 0).any() for curve in curves) and any((curve.bulge < 0).any() for curve in curves)
     assert {job.tool[0].insert[0] for job in jobs} == {"C", "D", "V", "T"}
+
+
+def test_the_random_profiles_of_a_left_hand_insert_hold_necks_behind_shoulders():
+    """Tried along z, along x and along the profile; some begin at the raw end; all fall where the chuck is behind."""
+    ways = [way(seed) for seed in range(1, 26)]
+    assert {one.get("along", "z") for one in ways if "hand" in one} == {"z", "x", "profile"}
+    jobs = [random_job(seed, "mini-lathe", hand="left") for seed in range(1, 26)]
+    curves = [job.curves["part"] for job in jobs]
+    assert {job.tool[0].hand for job in jobs} == {"left"} and any((curve.bulge != 0).any() for curve in curves)
+    assert all(curve.xy[-1, 1] == 30.0 for curve in curves)
+    shoulders = [
+        ((curve.xy[1:, 0] == curve.xy[:-1, 0]) & (curve.xy[1:, 1] < curve.xy[:-1, 1])).sum() for curve in curves
+    ]
+    assert max(shoulders) >= 2
+    assert {bool(curve.xy[0, 0] == 0.0) for curve in curves} == {True, False}

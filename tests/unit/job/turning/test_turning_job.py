@@ -4,14 +4,17 @@
 from __future__ import annotations
 
 import math
+import re
 import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
+from shapely import LineString, Point
 
 from CNCStepper.errors import JobError
 from CNCStepper.job.turning.turning_job import TurningJob, load_turning_job, turning_job_of
+from helpers.cycles.seeds import SEEDS
 
 ROOT = Path(__file__).parents[4]
 HEAD = """
@@ -64,7 +67,16 @@ def test_an_arc_about_its_centre_is_that_of_its_radius():
     [
         ("[[-1, 0], [40, 0]]", "profile-axis", "radius -0.5 mm at z 0 mm, limit radius 0 mm"),
         ("[[40, 0], [40, -10], [50, -5], [50, -30]]", "profile-undercut", "from z -10 mm by 5 mm, limit z -10 mm"),
-        ("[[20, 0], [20, -30], [60, -30], [60, -10], [10, -10]]", "profile-crossing", "at z -10 mm, radius 10 mm"),
+        (
+            "[[20, 0], [20, -30], [60, -30], [60, -10], [10, -10]]",
+            "profile-crossing",
+            "at z -10 mm, radius 10 mm, limit 2 points fewer",
+        ),
+        (
+            "[[30, 0], [30, -10], [36, -10], [32, -10], [32, -30]]",
+            "profile-crossing",
+            "move its point at z -10 mm, radius 18",
+        ),
         ('[[20, 0], {to = [40, 0], arc = "cw", radius_mm = 4}]', "profile-arc", "limit at least 5 mm"),
         ("[[0, 0], {to = [30, 0], chamfer_mm = 20}, [30, -40]]", "profile-corner", "limit 15 mm"),
         ('[[40, 0], {to = [50, -5], arc = "cw", centre = [41, -5]}]', "profile-arc", "0.005 mm apart"),
@@ -74,6 +86,37 @@ def test_profiles_that_cannot_be_turned_are_refused_with_the_number_that_would_d
     with pytest.raises(JobError) as refusal:
         job_of(points)
     assert refusal.value.code == code and says in str(refusal.value)
+
+
+PLACE = r"z (\S+) mm, radius (\S+) mm"
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_the_change_that_a_crossing_profile_is_told_makes_it_one_that_can_be_turned(seed):
+    """The place lies on the profile; the point that is named, moved or left out, is enough."""
+    random = np.random.default_rng(seed)
+    radii, places = random.uniform(5, 20, 6).round(3).tolist(), (-np.cumsum(random.uniform(2, 6, 6))).round(3).tolist()
+    corners = [list(pair) for pair in zip(radii, places, strict=True)]
+    one = int(random.integers(1, 4))
+    corners[one], corners[one + 1] = corners[one + 1], corners[one]
+    radius = HEAD + 'x_is = "radius"'
+    with pytest.raises(JobError) as caught:
+        job_of(str(corners), radius)
+    refusal = caught.value
+    assert refusal.code in ("profile-crossing", "profile-undercut")
+    if refusal.code == "profile-undercut":
+        return
+    at = [float(number) for number in re.findall(PLACE, refusal.value)[0]]
+    assert LineString([(z, r) for r, z in corners]).distance(Point(at)) < 1e-3
+    named = [float(number) for number in re.findall(PLACE, refusal.advice)[0]]
+    number = next(n for n, (r, z) in enumerate(corners) if (z, r) == tuple(named))
+    if "move" in refusal.advice:
+        z, r = map(float, re.findall(PLACE, refusal.limit)[0])
+        corners[number] = [r, z]
+    else:
+        fewer = int(refusal.limit.split()[0])
+        del corners[number + 1 : number + 1 + fewer]
+    job_of(str(corners), radius)
 
 
 @pytest.mark.parametrize(
