@@ -20,14 +20,16 @@ from pathlib import Path
 import numpy as np
 
 from CNCStepper.gcode.interpreter.program_file import FileReading, interpret_file
+from CNCStepper.kernels import njit
 from CNCStepper.machine.backlash import Backlash
 from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner.backlash_moves import motor_chunks
-from CNCStepper.motion.planner.buffers import new_planner
+from CNCStepper.motion.planner.buffers import Planner, is_full, new_planner, new_segments
 from CNCStepper.motion.planner.look_ahead import push_line
 from CNCStepper.motion.planner.machine_limits import Limits
 from CNCStepper.motion.planner.plan import Run, step_events
 from CNCStepper.motion.planner.s_curve_look_ahead import plan_entries
+from CNCStepper.motion.planner.segment_generator import next_segment
 from CNCStepper.motion.signals.pulse_stream import PulseStream, moved_steps, pulse_stream
 from CNCStepper.state import Start, State
 from CNCStepper.toolpath import CHUNK_ROWS, LINE, Chunk, Toolpath
@@ -115,10 +117,15 @@ def stream(name: str, end_mm: np.ndarray, feed_mm_min: float) -> float:
     return rate / closed
 
 
+def new_s_curve_planner() -> Planner:
+    """Return an empty planner of S-curves with a deep look-ahead."""
+    limits = replace(Limits.of(MACHINE), ramp="s_curve", jerk_mm_s3=(4000.0,) * 3, look_ahead_blocks=QUEUED)
+    return new_planner(limits, (0.0,) * 3)
+
+
 def queue_s_curves(length_mm: float, each: bool) -> float:
     """Return the processor time in s in which QUEUED lines on one way are queued; `each`: all planned at each."""
-    limits = replace(Limits.of(MACHINE), ramp="s_curve", jerk_mm_s3=(4000.0,) * 3, look_ahead_blocks=QUEUED)
-    planner = new_planner(limits, (0.0,) * 3)
+    planner = new_s_curve_planner()
     begun = time.process_time()
     for number in range(QUEUED):
         push_line(planner, np.array([length_mm * (number + 1), 0.0, 0.0]), 50.0, False, 0)
@@ -137,6 +144,26 @@ def s_curves(length_mm: float) -> float:
     )
     print(f"planned at each {naive:.2f} s, ratio {naive / taken:.0f}")
     return naive / taken
+
+
+@njit
+def _run_full(planner, length_mm, count, segment):
+    """Queue `count` lines on one way as places of the ring fall free, and cut them all."""
+    target, queued = np.zeros(3), 0
+    while True:
+        while queued < count and not is_full(planner):
+            queued += 1
+            target[0] = length_mm * queued
+            push_line(planner, target, 50.0, False, queued)
+        if not next_segment(planner, segment):
+            return queued
+
+
+def run_s_curves(length_mm: float) -> None:
+    """Print how many lines a second are planned and cut while the queue is kept full, from rest to rest."""
+    for count in (QUEUED, SHORT // 5):
+        _, rate = fastest(lambda count=count: _run_full(new_s_curve_planner(), length_mm, count, new_segments(1, 3)[0]))
+        print(f"S-curves, queue of {QUEUED} lines of {length_mm} mm kept full, {count} lines: {rate:,.0f} blocks/s")
 
 
 def lines(count: int) -> Iterator[str]:
@@ -216,6 +243,8 @@ def main() -> None:
     plan("spiral of short lines", spiral(SHORT), 600)
     plan("short lines in any direction", wandering(SHORT // 5), 1500)
     guarded()
+    for length_mm in (0.1, 0.02):
+        run_s_curves(length_mm)
     print_growth()
     with tempfile.TemporaryDirectory() as name:
         for count in (SHORT, LONG):

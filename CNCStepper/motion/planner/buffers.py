@@ -100,6 +100,7 @@ def _block(axes: int) -> np.dtype:
             ("max_entry_sqr", "f8"),
             ("max_junction_sqr", "f8"),
             ("rapid", "i8"),  # 1 or 0
+            ("best_from", "i8"),  # S-curves: the place whose entry gives its own
             ("looks_to", "i8"),  # S-curves: the last place whose entry its own follows from
             ("farthest", "i8"),  # S-curves: the last place to which it or any block before it looks
         ]

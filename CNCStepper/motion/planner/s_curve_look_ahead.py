@@ -129,21 +129,69 @@ def _note_farthest(planner, place):
 def _smooth_entry(planner, first):
     """Return the greatest entry speed from which one change of speed, over some blocks, ends at a later entry.
 
-    The changes fall, so that none is above the entries that it passes when its begin is not.
+    The changes fall, so that none is above the entries that it passes when its begin is not. Each place counts with
+    what is reachable from its entry, and at most with the least of the entries passed: so the places can be looked at
+    in any order, and the one that counted most for the block behind first. Most others need no reachable speed then.
     """
     queue = planner.queue[0]
-    place = first
-    limit = math.sqrt(planner.blocks[place].max_entry_sqr)
+    place = next_place(planner, first)
+    known, known_at = 0.0, first  # the place whose speed is known
+    limit = math.sqrt(planner.blocks[first].max_entry_sqr)
+    if place != queue.head and math.sqrt(planner.blocks[place].entry_sqr) < limit:
+        known_at = planner.blocks[place].best_from
+        known = _speed_from(planner, first, known_at)
     length, acceleration, jerk = 0.0, UNLIMITED, UNLIMITED
-    best = 0.0
+    best, best_from = 0.0, place
+    place = first
     while best < limit and place != queue.head:
         block = planner.blocks[place]
         length += block.length
         acceleration, jerk = min(acceleration, block.acceleration), min(jerk, block.jerk)
         place = next_place(planner, place)
         entry = 0.0 if place == queue.head else math.sqrt(planner.blocks[place].entry_sqr)
-        best = max(best, min(limit, reachable_speed(entry, length, acceleration, jerk)))
+        speed = 0.0
+        if place == known_at:
+            speed = known
+        elif entry >= limit:
+            speed = limit
+        elif not _is_out_of_reach(max(best, known), entry, length, acceleration, jerk):
+            speed = min(limit, reachable_speed(entry, length, acceleration, jerk))
+        if speed > best:
+            best, best_from = speed, place
         if place != queue.head:
-            limit = max(best, min(limit, math.sqrt(planner.blocks[place].max_entry_sqr)))
-    planner.blocks[first].looks_to = place
+            limit = min(limit, math.sqrt(planner.blocks[place].max_entry_sqr))
+    block = planner.blocks[first]
+    block.looks_to, block.best_from = place, best_from
     return best
+
+
+@njit_in_place
+def _speed_from(planner, first, last):
+    """Return the greatest entry speed of block `first` for a change of speed that ends at the entry of block `last`."""
+    limit, length, acceleration, jerk = UNLIMITED, 0.0, UNLIMITED, UNLIMITED
+    place = first
+    while place != last:
+        block = planner.blocks[place]
+        limit = min(limit, block.max_entry_sqr)
+        length += block.length
+        acceleration, jerk = min(acceleration, block.acceleration), min(jerk, block.jerk)
+        place = next_place(planner, place)
+    entry = 0.0 if last == planner.queue[0].head else math.sqrt(planner.blocks[last].entry_sqr)
+    return min(math.sqrt(limit), reachable_speed(entry, length, acceleration, jerk))
+
+
+MARGIN = 1.000001  # above all rounding
+
+
+@njit_in_place
+def _is_out_of_reach(speed, entry, length, acceleration, jerk):
+    """Return whether a change between two speeds surely takes more than `length`: by `change_length`, undivided."""
+    change = speed - entry
+    if change <= 0.0:
+        return False
+    both = speed + entry
+    if both**2 * change > MARGIN * jerk * length**2:  # no change is quicker than without a limit of acceleration
+        return True
+    return change * jerk > acceleration**2 and both * (change * jerk + acceleration**2) > MARGIN * 2.0 * (
+        length * acceleration * jerk
+    )

@@ -10,7 +10,7 @@ from CNCStepper.machine.profile import load_machine
 from CNCStepper.motion.planner.buffers import count_blocks, new_planner, places_from
 from CNCStepper.motion.planner.look_ahead import plan_again, push_line
 from CNCStepper.motion.planner.machine_limits import Limits
-from CNCStepper.motion.planner.s_curve_look_ahead import plan_entries
+from CNCStepper.motion.planner.s_curve_look_ahead import plan_entries, reachable_speed
 
 LIMITS = replace(
     Limits.of(load_machine("table-a")), ramp="s_curve", jerk_mm_s3=(4000.0, 4000.0, 1000.0), look_ahead_blocks=400
@@ -38,6 +38,18 @@ def test_it_leaves_the_entries_that_planning_all_of_them_anew_gives(seed):
     plan_again(planner)
     assert np.array_equal(kept, planner.blocks.entry_sqr)
     assert np.ptp(kept) > 100
+    expected = [best_entry_mm_s(planner.blocks, first) ** 2 for first in range(15, 150, 15)]
+    assert kept[15:150:15].tolist() == expected
+
+
+def best_entry_mm_s(blocks, first):
+    """Return the greatest entry speed of a block, over all places at which a change of speed may end."""
+    entries = np.sqrt([*blocks.entry_sqr[first + 1 : 150], 0.0])
+    lengths = np.cumsum(blocks.length[first:150])
+    least = (np.minimum.accumulate(column[first:150]) for column in (blocks.acceleration, blocks.jerk))
+    reachable = map(reachable_speed, entries, lengths, *least)
+    limits = np.sqrt(np.minimum.accumulate(blocks.max_entry_sqr[first:150]))
+    return max(map(min, limits, reachable))
 
 
 def test_what_no_later_block_can_change_is_not_planned_again():
