@@ -38,7 +38,7 @@ SCREEN = (1600, 1000)  # in Qt's pixels: with QT_SCALE_FACTOR=2 the screen has t
 XDG_FOLDERS = ("CONFIG_HOME", "DATA_HOME", "STATE_HOME", "RUNTIME_DIR")  # not the cache: compiled kernels stay there
 USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp">
- <FCParamGroup Name="MainWindow">{theme}<FCParamGroup Name="DockWindows">
+ <FCParamGroup Name="MainWindow"><FCParamGroup Name="DockWindows">
   <FCBool Name="Std_ComboView" Value="1"/>
   <FCBool Name="Std_ReportView" Value="1"/>
   <FCBool Name="Std_PythonView" Value="0"/>
@@ -48,6 +48,7 @@ USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
     <FCText Name="AutoloadModule">{autoload}</FCText>
     <FCText Name="Language">{language}</FCText>
   </FCParamGroup>
+  <FCParamGroup Name="MainWindow">{theme}</FCParamGroup>
   <FCParamGroup Name="View">
     <FCBool Name="ShowNaviCube" Value="{as_a_person}"/>
     <FCBool Name="CornerCoordSystem" Value="{as_a_person}"/>

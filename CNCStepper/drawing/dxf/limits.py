@@ -20,6 +20,7 @@ from CNCStepper.errors import JobError, Place, Text
 
 MOST_BYTES = 100_000_000
 MOST_ENTITIES = 100_000
+ENOUGH = 10  # times as many are not counted to the last one
 MOST_POINTS = 1_000_000  # of all polylines and splines
 SPLINE_WEIGHT = (
     5  # points: what a spline's control point takes beside reading; how long arcs are fitted has its own bound
@@ -28,8 +29,7 @@ DEEPEST = 32  # blocks within blocks; a block that holds itself goes on for ever
 LONGEST = 1_000  # bytes: what the patterns below find is shorter
 BINARY = b"AutoCAD Binary DXF\r\n\x1a\x00"
 # the vertices of an old polyline are points of it, not entities
-_ENTITY = re.compile(rb"\n[ \t]*0[ \t]*\r?\n[ \t]*(?!VERTEX\b|SEQEND\b)[A-Z0-9_]*[A-Z]")
-_NOTHING = re.compile(rb"(?!)")
+_ENTITY = re.compile(rb"\n[ \t]*0[ \t]*(?=\r?\n[ \t]*(?!VERTEX\b|SEQEND\b)\S)")
 _POINT = re.compile(rb"\n[ \t]*10[ \t]*\r?\n")
 _BINARY_ENTITY = re.compile(rb"\x00\x00[A-Z0-9_]+\x00")
 _OLD_BINARY_ENTITY = re.compile(rb"\x00[A-Z0-9_]{3,}\x00")  # until R12 a group's code is one byte
@@ -37,26 +37,50 @@ _OLD_BINARY_ENTITY = re.compile(rb"\x00[A-Z0-9_]{3,}\x00")  # until R12 a group'
 
 def require_readable(chunks: Iterable[bytes], place: Place) -> None:
     """Raise JobError for a text of more entities or points than are read; what is no DXF file passes."""
-    entities = points = 0
+    counts: _TextCounts | _BinaryCounts | None = None
     tail = b""
-    patterns: tuple[re.Pattern[bytes], ...] = ()
     for chunk in itertools.chain(chunks, [b""]):
-        patterns = patterns or _patterns(chunk)
+        counts = counts or (_BinaryCounts(chunk) if chunk.startswith(BINARY) else _TextCounts())
         content = tail + chunk
-        end = len(content) - LONGEST if chunk else len(content)
-        entities, points = (
-            count + _found(pattern, content, end) for count, pattern in zip((entities, points), patterns, strict=True)
-        )
-        tail = content[max(end, 0) :]
-    _require("entities", entities, MOST_ENTITIES, place)
-    _require("points", points, MOST_POINTS, place)
+        end = max(len(content) - LONGEST, 0) if chunk else len(content)
+        counts.add(content, end)
+        tail = content[end:]
+        if counts.entities > ENOUGH * MOST_ENTITIES:
+            break
+    assert counts
+    _require("entities", counts.entities, MOST_ENTITIES, place)
+    _require("points", counts.points, MOST_POINTS, place)
 
 
-def _patterns(begin: bytes) -> tuple[re.Pattern[bytes], re.Pattern[bytes]]:
-    """Return what an entity and a point look like in a file that begins so; a binary one's points are not counted."""
-    if not begin.startswith(BINARY):
-        return _ENTITY, _POINT
-    return (_BINARY_ENTITY if b"\x00\x00SECTION\x00" in begin[:100] else _OLD_BINARY_ENTITY), _NOTHING
+class _TextCounts:
+    """The entities and points of a text so far: lines are code and value in turn, an entity is the code 0."""
+
+    def __init__(self) -> None:
+        self.entities = self.points = self._lines = 0
+
+    def add(self, content: bytes, end: int) -> None:
+        """Count what begins before a place; what comes behind it is seen again in the next content."""
+        self.points += _found(_POINT, content, end)
+        counted, lines = 0, self._lines
+        for match in itertools.takewhile(lambda match: match.start() < end, _ENTITY.finditer(content)):
+            lines += content.count(b"\n", counted, match.end())
+            counted = match.end()
+            self.entities += lines % 2 == 0
+        self._lines += content.count(b"\n", 0, end)
+
+
+class _BinaryCounts:
+    """The entities of a binary file so far; its points are not counted."""
+
+    points = 0
+
+    def __init__(self, begin: bytes) -> None:
+        self.entities = 0
+        self._entity = _BINARY_ENTITY if b"\x00\x00SECTION\x00" in begin[:100] else _OLD_BINARY_ENTITY
+
+    def add(self, content: bytes, end: int) -> None:
+        """Count what begins before a place; what comes behind it is seen again in the next content."""
+        self.entities += _found(self._entity, content, end)
 
 
 def _found(pattern: re.Pattern[bytes], content: bytes, end: int) -> int:

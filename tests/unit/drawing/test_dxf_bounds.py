@@ -60,6 +60,18 @@ def test_a_million_lines_are_refused_before_they_are_read(tmp_path: Path) -> Non
 
 
 @pytest.mark.slow
+def test_entities_without_a_name_are_counted_and_zeros_of_other_groups_are_not(tmp_path: Path) -> None:
+    nameless = tmp_path / "nameless.dxf"
+    for pair, count in ((b"0\n0\n", 2_000_000), (b"  0\n7\n", 110_000), (b"0\r\n0\r\n", 110_000)):
+        nameless.write_bytes(b"x\n" * 2 + pair * count)
+        assert "too many entities" in refused(nameless)
+    path = tmp_path / "zeros.dxf"
+    group = b" 70\n0\n"  # which a line does not have: its value is no entity
+    path.write_bytes(lines_file(tmp_path, 10).read_bytes().replace(b"  8\n", 20_000 * group + b"  8\n"))
+    assert len(read_dxf(path, 0.005).layers[0].curves) == 10
+
+
+@pytest.mark.slow
 def test_a_binary_drawing_is_counted_like_any_other(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for version in ("R12", "R2010"):
         document = ezdxf.new(version, units=4)

@@ -20,7 +20,7 @@ MATPLOTLIB = Path(sysconfig.get_path("purelib")) / "matplotlib"
 FREECAD = Path("/usr/share/freecad")
 LIMIT_S = 10.0  # of processor time; the largest takes half a second
 REASONS = {"svg-empty", "svg-file", "dxf-empty", "dxf-file"}
-HOSTILE = {"svg-entity", "svg-large", "fit-budget"}  # librsvg's own tests of crashes are among its files
+HOSTILE = {"svg-entity", "svg-large", "fit-budget", "quantity"}  # librsvg's own tests of crashes are among its files
 PICKED = 150  # of a package that is fetched; CNCSTEPPER_FOREIGN=all reads every one
 ICONS = {"icons", "adwaita", "cursors"}  # 2500 that are much alike: a quarter of those picked
 
@@ -45,17 +45,27 @@ def judged(paths: Sequence[Path]) -> tuple[list[Path], dict[Path, str]]:
     """Return the drawings that were read, and the codes of those that were refused."""
     read, refused = [], {}
     for path in paths:
-        before = time.process_time()
-        try:
-            drawing = read_drawing(path, ReadOptions())
-        except JobError as error:
-            assert error.place and error.what, path
-            refused[path] = error.code
+        code, took_s = outcome(path)
+        if took_s >= LIMIT_S:
+            code, took_s = outcome(path)  # kernels that the first reading needed were compiled then
+        assert took_s < LIMIT_S, path
+        if code:
+            refused[path] = code
         else:
-            assert drawing.chains, path
             read.append(path)
-        assert time.process_time() - before < LIMIT_S, path
     return read, refused
+
+
+def outcome(path: Path) -> tuple[str, float]:
+    """Read a drawing; return the code of its refusal, "" where it has chains, and the processor time."""
+    before_s = time.process_time()
+    try:
+        drawing = read_drawing(path, ReadOptions())
+    except JobError as error:
+        assert error.place and error.what, path
+        return error.code, time.process_time() - before_s
+    assert drawing.chains, path
+    return "", time.process_time() - before_s
 
 
 def test_the_drawings_of_matplotlib_are_all_read() -> None:
