@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -11,12 +12,16 @@ import FreeCAD
 import FreeCADGui
 import pytest
 from PySide import QtGui
+from test_simulation_view import click_finding
 
 from CNCStepper.workbench import api, panels
+from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.document.turning import turning_defaults
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
 from CNCStepper.workbench.report import job_report
+from CNCStepper.workbench.services.view_fit import look_at_lathe, show_all
+from helpers.freecad.half_profiles import POINTS, edges, shaft, sketch
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 from window_helpers.task_panels import PANEL, accept, begin
@@ -124,6 +129,91 @@ def colours(widget: Any) -> int:
 def note(key: str) -> str:
     labels = FreeCADGui.getMainWindow().findChildren(QtGui.QLabel, f"{PANEL}{key}_error")
     return str(labels[0].text()) if labels else ""
+
+
+def new_shaft() -> Any:
+    """Make a lathe's job and its profile by points, as a sketch, a solid and single edges."""
+    document = FreeCAD.newDocument("Drawn")
+    job = api.new_lathe_job(document, stock_diameter_mm=40)
+    api.add_tool(job)
+    api.add_profile(document, POINTS).Label = "Profile"
+    api.add_profile(document, ("0; 0", *POINTS)).Label = "Section"  # that of a solid begins at the axis
+    for draw in (sketch, shaft, edges):
+        draw(document).ViewObject.LineWidth = 5
+    document.recompute()
+    look_at_lathe()
+    show_all()
+    return job
+
+
+def only_shown(label: str) -> None:
+    for obj in FreeCAD.ActiveDocument.Objects:
+        if hasattr(obj, "Shape"):
+            obj.ViewObject.Visibility = obj.Label == label
+
+
+def begin_at_edges(hand: Hand, command: str) -> None:
+    """Select the edges of the lines in the view, one after the other with Ctrl, and press a command's button."""
+    hand.main(only_shown, "Lines")
+    hand.main(FreeCADGui.Selection.clearSelection)
+    for number, (x, z) in enumerate(((12, -10), (15, -20), (18, -30)), start=1):
+        hand.click_view(hand.view_point(x, 0, z), modifiers=("Ctrl",) if number > 1 else ())
+        hand.wait(lambda number=number: edges_selected() == number, 10, f"{number} edges to be selected")
+    hand.command(command)
+    hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, f"the panel of {command}")
+
+
+def edges_selected() -> int:
+    return sum(len(each.SubElementNames) for each in FreeCADGui.Selection.getSelectionEx())
+
+
+def test_roughing_follows_a_sketch_a_solid_and_edges_that_are_selected(hand: Hand) -> None:
+    job, texts = hand.main(new_shaft, limit_s=60), {}
+    for label in ("Profile", "Sketch", "Section", "Shaft", "Lines"):
+        if label == "Lines":
+            begin_at_edges(hand, "CNCStepper_TurnRough")
+        else:
+            begin(hand, "CNCStepper_TurnRough", label)
+        drawn, subs = hand.main(lambda: job.Operations[0].Drawings[0])
+        assert (drawn.Label, [each for each in subs if each]) == (
+            label, ["Edge1", "Edge2", "Edge3"] if label == "Lines" else []
+        )  # fmt: skip
+        accept(hand)
+        hand.wait(lambda: not problem_of(job.Operations[0]) and api.program_text(job), 20, "the program")
+        texts[label] = hand.main(lambda: api.program_text(job))
+        hand.shot(f"lathe-drawn-{label}")
+        hand.undo()
+        hand.wait(lambda: not job.Operations, 10, "the roughing to be gone")
+    assert texts["Profile"] == texts["Sketch"] == texts["Lines"]
+    assert texts["Section"] == texts["Shaft"]
+
+
+def test_a_collision_with_the_chuck_is_named_and_shown(hand: Hand) -> None:
+    job = hand.main(new_shaft, limit_s=60)
+    begin(hand, "CNCStepper_TurnRough", "Profile")
+    accept(hand)
+
+    def lengthen() -> None:
+        text = api.program_text(job)
+        farthest = max(re.findall(r"Z([\d.]+)", text), key=float)  # the mini-lathe's Z rises towards the chuck
+        program_file.store(job, text.replace(f"Z{farthest}", f"Z{float(farthest) + 100:.4f}", 1))
+        for obj in job.Document.Objects:
+            obj.purgeTouched()
+
+    hand.main(lengthen)
+    FreeCADGui.Selection.clearSelection()
+    hand.tree(job.Label)
+    hand.command("CNCStepper_Simulate")
+    end = "CNCStepper_Simulation_end"
+    hand.wait(lambda: hand.exists(end) and hand.find(end).isEnabled(), 180, "the simulation")
+    rows = hand.find("CNCStepper_Findings_list")
+    said = hand.main(lambda: [rows.item(k).text() for k in range(rows.count())])
+    (collision,) = [text for text in said if "runs into the chuck" in text]
+    click_finding(hand, collision)
+    hand.wait(lambda: places.find("CNCStepper_Simulation_program").currentIndex().row() > 0, 10, "the line")
+    hand.shot("lathe-collision")
+    hand.button("Close")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 10)
 
 
 def every_operation() -> Any:
