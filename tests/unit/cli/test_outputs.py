@@ -78,6 +78,7 @@ def test_the_walk_finds_the_verbs_that_write() -> None:
         "simulate",
         "edit",
         "compact",
+        "compare",
         "print",
         "convert",
         "chart",
