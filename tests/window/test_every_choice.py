@@ -23,20 +23,22 @@ from CNCStepper.workbench.panels.text import FontField
 from window_helpers.hand import Hand
 from window_helpers.task_panels import PANEL
 
+OLDEST = FreeCAD.Version()[1] == "20"  # newer ones take the first objects only: all that is clicked is clicked once
 DOWN = QtCore.Qt.ArrowType.DownArrow  # of a group that is not folded
 
 
 def test_every_group_box_and_choice_of_milling_and_cutting_answers(hand: Hand) -> None:
     plate, done = hand.main(draw, limit_s=120), set[str]()
     with hidden_view(hand):
-        for kind in KINDS:
+        for kind in KINDS if OLDEST else KINDS[:1]:
             work_through(hand, plate[kind], done)
 
 
 def test_every_group_box_and_choice_of_turning_answers(hand: Hand) -> None:
     job, done = hand.main(every_operation, limit_s=120), set[str]()
     with hidden_view(hand):
-        for obj in (job, *hand.main(lambda: [job.Tools[0], *job.Operations, *job.Operations[1].OutList[1:2]])):
+        objects = (job, *hand.main(lambda: [job.Tools[0], *job.Operations, *job.Operations[1].OutList[1:2]]))
+        for obj in objects if OLDEST else objects[:3]:
             work_through(hand, obj, done, (CheckField, ChoiceField, NumberField, VectorField))
 
 
