@@ -159,7 +159,10 @@ def test_toolbar_and_menu_stand_in_the_order_of_the_road(hand: Hand) -> None:
     menu = [*LABELS.values()]
     menu[menu.index("Edit program") : menu.index("Edit program")] = ["Duplicate", "Move up", "Move down"]
     setting_up = ["First steps…", "Machine assistant…", "Install packages…", "Help"]
-    assert texts == [[*LABELS.values(), "Help"], [*menu, "Open job…", "Export job…", "Report…", *setting_up, "Lathe"]]
+    assert texts == [
+        [*LABELS.values(), "Help"],
+        [*menu, "Open job…", "Export job…", "Report…", "Compare programs…", *setting_up, "Lathe"],
+    ]
     assert hand.main(lambda: all(not action(name).icon().isNull() for name in LABELS))
     hand.menu("CNCStepper")
     hand.shot("menu")
@@ -461,6 +464,6 @@ def test_asking_whether_a_command_can_work_takes_no_time(hand: Hand) -> None:
     document = hand.main(new_document)
     hand.main(lambda: [new_job(document) for _ in range(10)])
     hand.main(lambda: [document.addObject("App::FeaturePython", "Other") for _ in range(300)])
-    took_ms = [hand.main(asked_ms) for _ in range(5)]
+    took_ms = [hand.main(asked_ms) for _ in range(20)]  # one that nothing on the same core slowed is among them
     print(f"asked in {min(took_ms):.1f} ms", flush=True)
     assert min(took_ms) < 10
