@@ -156,8 +156,8 @@ HOLLOW = Curve(
         (
             "turn_thread",
             {"insert": "16IR 1.5 ISO", "kind": "threading"},
-            SHAFT,
-            {"thread": "M20x1.5"},
+            None,
+            {"thread": "M20x1.5", "length_mm": 20.0},
             "bore-missing",
             "above 0 mm",
         ),
