@@ -12,7 +12,6 @@ import FreeCADGui
 import numpy as np
 import pytest
 from test_dock import D, own_sessions, says  # noqa: F401
-from test_own_controllers import twins  # noqa: F401
 
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import load_machine
@@ -132,7 +131,7 @@ def check_steps(text: str, twin: Any, machine: str) -> None:
 def test_an_acceptance_part_from_the_job_to_the_last_step(
     hand: Hand,
     panel: Any,
-    twins: Any,  # noqa: F811
+    twins: Any,
     machine: str,
     name: str,
 ) -> None:

@@ -41,20 +41,6 @@ def dock(hand: Hand) -> Iterator[Any]:
     hand.settle()
 
 
-@pytest.fixture
-def twins(tmp_path: Path) -> Iterator[Any]:
-    """What starts a virtual machine of a kind; all are ended."""
-    started: list[Twin] = []
-
-    def start(kind: str, *options: str) -> Twin:
-        started.append(Twin(kind, tmp_path, *options))
-        return started[-1]
-
-    yield start
-    for twin in started:
-        twin.end()
-
-
 def connect(hand: Hand, kind: str, twin: Twin) -> None:
     """Choose the profile, type the address, and connect."""
     hand.choose(f"{D}Machine", PROFILES[kind])
