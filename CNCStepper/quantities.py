@@ -243,3 +243,12 @@ Ratio = Annotated[float, Bounds("ratio")]
 Unit = Annotated[float, Bounds("unit")]
 ToolNumber = Annotated[int, Bounds("number", 0, 255)]
 ToolReference = Annotated[int, Bounds("number")]  # of an operation: the job says which there are
+
+
+def duration_text(time_s: float) -> str:
+    """Return a time as people read it, for example "1 h 02 min 05 s"."""
+    whole = round(time_s)
+    hours, minutes, seconds = whole // 3600, whole // 60 % 60, whole % 60
+    if hours:
+        return f"{hours} h {minutes:02d} min {seconds:02d} s"
+    return f"{minutes} min {seconds:02d} s" if minutes else f"{time_s:.1f} s"

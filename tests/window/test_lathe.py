@@ -209,8 +209,10 @@ def test_a_collision_with_the_chuck_is_named_and_shown(hand: Hand) -> None:
     rows = hand.find("CNCStepper_Findings_list")
     said = hand.main(lambda: [rows.item(k).text() for k in range(rows.count())])
     (collision,) = [text for text in said if "runs into the chuck" in text]
+    line = int(re.findall(r"line (\d+)", collision)[0])
+    assert hand.main(lambda: places.find("CNCStepper_Simulation_program").currentIndex().row()) != line - 1
     click_finding(hand, collision)
-    hand.wait(lambda: places.find("CNCStepper_Simulation_program").currentIndex().row() > 0, 10, "the line")
+    hand.wait(lambda: places.find("CNCStepper_Simulation_program").currentIndex().row() == line - 1, 10, "the line")
     hand.shot("lathe-collision")
     hand.button("Close")
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 10)

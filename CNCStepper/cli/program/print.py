@@ -50,7 +50,7 @@ def _facts(opened: Opened, toolpath: Toolpath, process: str, material: str, job:
     from CNCStepper.gcode.wire.backlash_compensation import backlash_of
     from CNCStepper.motion.planner.backlash_moves import way_duration_s
     from CNCStepper.motion.planner.plan import begun
-    from CNCStepper.simulation.views.picture_style import duration_text
+    from CNCStepper.quantities import duration_text
 
     yield "File", str(opened.path)
     yield "Process", process or "not named"

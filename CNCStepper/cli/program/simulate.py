@@ -135,7 +135,7 @@ class _Turned:
         stl: Path | None,
     ) -> NoReturn:
         """Draw the part at a time or line, else at the end, say what was asked for, and end the command."""
-        from CNCStepper.simulation.views.picture_style import duration_text
+        from CNCStepper.quantities import duration_text
 
         if stl:
             self.save_stl(stl, at_s, line)

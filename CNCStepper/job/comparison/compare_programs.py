@@ -20,6 +20,7 @@ from CNCStepper.job.comparison.part_difference import CutPart, PartDifference, p
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.interpolation.dda_stream import times_and_whole_s
 from CNCStepper.motion.planner.plan import begun
+from CNCStepper.quantities import duration_text
 from CNCStepper.simulation.comparison.path_figures import PathFigures, Range, figures_of
 from CNCStepper.simulation.comparison.path_overlay import PathComparison, compare_paths
 from CNCStepper.state import Start
@@ -159,7 +160,7 @@ def rows(found: ProgramComparison) -> Iterator[tuple[str, str, str]]:
     yield Text("cut length"), _mm(one.cut_length_mm), _mm(other.cut_length_mm)
     yield Text("rapid length"), _mm(one.rapid_length_mm), _mm(other.rapid_length_mm)
     if found.times_s:
-        yield Text("time"), _duration(found.times_s[0]), _duration(found.times_s[1])
+        yield Text("time"), duration_text(found.times_s[0]), duration_text(found.times_s[1])
     yield Text("tools"), _tools(one), _tools(other)
     for axis, name in enumerate("XYZ"):
         yield name, _range(one.box_mm[axis], "mm"), _range(other.box_mm[axis], "mm")
@@ -182,10 +183,6 @@ def _mm(length_mm: float) -> str:
 
 def _cm3(volume_mm3: float) -> str:
     return f"{volume_mm3 / 1000:.3f} cm³"
-
-
-def _duration(time_s: float) -> str:
-    return f"{time_s:.1f} s" if time_s < 60 else f"{int(time_s // 60)} min {time_s % 60:04.1f} s"
 
 
 def _tools(figures: PathFigures) -> str:

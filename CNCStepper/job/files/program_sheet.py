@@ -18,8 +18,8 @@ from CNCStepper.job.model import Job
 from CNCStepper.job.turning import turning_transfer
 from CNCStepper.job.turning.turning_job import TurnedStock, TurningJob
 from CNCStepper.machine.profile import Machine
+from CNCStepper.quantities import duration_text
 from CNCStepper.simulation.views.paper_sheet import Sheet, save_sheet
-from CNCStepper.simulation.views.picture_style import duration_text
 
 
 def write_program_sheet(asked: dict[str, Any], job: Job, machine: Machine, times_s: Sequence[float]) -> str:

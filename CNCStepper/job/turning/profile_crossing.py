@@ -32,9 +32,13 @@ def crossing_error(chain: Curve, chords: np.ndarray, can_be_turned: Callable[[Cu
 
 def _without_way_back(chords: np.ndarray) -> tuple[Text, Text]:
     """Return limit and advice for a chain that no small change mends."""
-    back = np.maximum.accumulate(chords[::-1, 0])[::-1] - chords[:, 0]
-    z = chords[int(np.argmax(back)), 0]
+    z = chords[int(np.argmax(way_back_mm(chords))), 0]
     return Text("z {z:.6g} mm", z=z), Text("after z {z:.6g} mm let z never rise along it", z=z)
+
+
+def way_back_mm(points: np.ndarray) -> np.ndarray:
+    """Return how far z rises again after each point."""
+    return np.maximum.accumulate(points[::-1, 0])[::-1] - points[:, 0]
 
 
 def first_crossing(chords: np.ndarray) -> tuple[float, float]:

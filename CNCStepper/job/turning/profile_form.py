@@ -29,7 +29,7 @@ from shapely import LineString
 from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.job.shapes import Drawn, DxfForm, ShapeKey, read_shapes
-from CNCStepper.job.turning.profile_crossing import crossing_error
+from CNCStepper.job.turning.profile_crossing import crossing_error, way_back_mm
 from CNCStepper.quantities import MOST_ITEMS, Coordinate, Width, WidthOr0
 from CNCStepper.tolerances import SAME_MM
 
@@ -111,7 +111,7 @@ def check_profile(chain: Curve) -> None:
         raise JobError("profile-axis", what, value=value, limit="radius 0 mm", advice="end it at the axis")
     if not LineString(points).is_simple:
         raise crossing_error(chain, points, _can_be_turned)
-    back = _way_back_mm(points)
+    back = way_back_mm(points)
     worst = int(np.argmax(back))
     if back[worst] > SAME_MM:
         what = "the profile has an undercut: it runs back towards the end face"
@@ -122,13 +122,8 @@ def check_profile(chain: Curve) -> None:
 
 def _can_be_turned(chain: Curve) -> bool:
     points = chain.points(CHORDS_MM)
-    is_on_its_side = points[:, 1].min() >= -SAME_MM and _way_back_mm(points).max() <= SAME_MM
+    is_on_its_side = points[:, 1].min() >= -SAME_MM and way_back_mm(points).max() <= SAME_MM
     return bool(is_on_its_side and LineString(points).is_simple)
-
-
-def _way_back_mm(points: np.ndarray) -> np.ndarray:
-    """Return how far z rises again after each point."""
-    return np.maximum.accumulate(points[::-1, 0])[::-1] - points[:, 0]
 
 
 def _of_points(rows: tuple[Row, ...], x_is: Xis) -> Curve:

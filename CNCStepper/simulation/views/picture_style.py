@@ -145,15 +145,6 @@ def draw_path(axes: Axes, path: DrawnPath, project: Any, *, plunge_lines: bool) 
     return [name for name, lines in path.kinds().items() if lines]
 
 
-def duration_text(time_s: float) -> str:
-    """Return a time as people read it, for example "1 h 02 min 05 s"."""
-    whole = round(time_s)
-    hours, minutes, seconds = whole // 3600, whole // 60 % 60, whole % 60
-    if hours:
-        return f"{hours} h {minutes:02d} min {seconds:02d} s"
-    return f"{minutes} min {seconds:02d} s" if minutes else f"{time_s:.1f} s"
-
-
 def number_text(value: float) -> str:
     """Return a number with a true minus sign."""
     return f"{value:g}".replace("-", "\N{MINUS SIGN}")

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 
+from CNCStepper.quantities import duration_text
 from CNCStepper.simulation.removal.heightmap import HeightMap
 from CNCStepper.simulation.removal.timeline import TimelinePosition
 from CNCStepper.simulation.views import isometric_view
@@ -18,7 +19,6 @@ from CNCStepper.simulation.views.picture_style import (
     COLOURS,
     TEXTS,
     draw_path,
-    duration_text,
     head,
     heights_scale,
     legend,

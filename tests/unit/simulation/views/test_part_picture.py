@@ -4,9 +4,9 @@ import pytest
 from matplotlib.image import imread
 
 from CNCStepper.errors import JobError
+from CNCStepper.quantities import duration_text
 from CNCStepper.simulation.removal.heightmap import height_map
 from CNCStepper.simulation.stock import Stock
-from CNCStepper.simulation.views.picture_style import duration_text
 from CNCStepper.simulation.views.proof_picture import facts_of, save_picture
 from CNCStepper.simulation.views.scene import scene_at
 from CNCStepper.toolpath import ARC_CCW
