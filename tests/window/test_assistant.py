@@ -6,17 +6,19 @@ from __future__ import annotations
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import FreeCAD
 import FreeCADGui
 import pytest
-from PySide import QtGui
+from PySide import QtCore, QtGui
 from test_language import PORTUGUESE, STARTED_IN
 from test_road import DOCK, own_sessions, step  # noqa: F401
 
 from CNCStepper.workbench.services.translation import tr
 from window_helpers import screen_places as places
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 
 A, FIELD, PANEL, PLAYER = "CNCStepper_Assistant", "CNCStepper_Machine", "CNCStepper_Panel_", "CNCStepper_Simulation_"
@@ -107,6 +109,9 @@ def values(hand: Hand) -> None:
     hand.click(f"{A}_next")
     hand.settle()
     assert hand.main(lambda: dialog().steps.currentRow()) == 2, "a bad value keeps the step"
+    hand.click(f"{A}_take")
+    held = hand.main(lambda: dialog().setup.identity.settings[100])
+    hand.wait(lambda: dialog().setup.draft.texts[("axis", "x", "steps_per_mm")] == f"{held:g}", what="its values")
     hand.fill(f"{FIELD}_axis_x_steps_per_mm", "800")
     hand.fill(f"{FIELD}_name", "My 3018")
     hand.fill(f"{FIELD}_axis_x_acceleration_mm_s2", "200")
@@ -187,26 +192,22 @@ def cut_a_job(hand: Hand) -> None:
     step(hand, hand.main(tr, "Done"), 240)
 
 
+@pytest.mark.parametrize("assistant", ["English"], indirect=True)
 def test_settings_are_backed_up_and_restored_after_a_refusal(hand: Hand, assistant: Any, tmp_path: Path) -> None:
     connect(hand)
+    hand.main(lambda: setattr(dialog().setup, "identity", None))
+    hand.click(f"{A}_ask")
+    hand.wait(lambda: dialog().setup.identity is not None, 20, "what answers once more")
     backup = tmp_path / "backup.txt"
-    hand.main(lambda: dialog().steps.setCurrentRow(4))
+    go_to(hand, 5, "Settings")
     hand.click(f"{A}_backup")
-    hand.wait(lambda: dialog().findChild(QtGui.QFileDialog), what="the file's dialog")
-    hand.settle()
-    hand.type(str(backup))
-    hand.wait(lambda: places.find("fileNameEdit").text() == str(backup), 10, "the name is typed")
-    hand.key("Return")
-    if not hand._is_soon(backup.is_file):
-        hand.key("Return")  # the first one closed the list of names that Qt proposes
+    choose_file(hand, f"{A}_file", backup)
     hand.wait(backup.is_file, 10, "the backup")
-    hand.settle()
     text = backup.read_text("utf-8")
     assert "$110=5000" in text
     backup.write_text(text.replace("$110=5000", "$110=0").replace("$111=5000", "$111=4000"), "utf-8")
-    hand.main(lambda: dialog().page._take_backup(backup))
-    hand.main(lambda: dialog().page.other.setCurrentIndex(1))
-    hand.main(lambda: (dialog().page._fill(), dialog().page.refresh()))
+    hand.choose(f"{A}_other", "a backup…")
+    choose_file(hand, f"{A}_file", backup)
     hand.click(f"{A}_only")
     hand.wait(lambda: dialog().page.table.rowCount() == 2, what="the differences")
     hand.shot(f"assistant-compared-{hand.main(FreeCADGui.getLocale)}", A)
@@ -218,3 +219,67 @@ def test_settings_are_backed_up_and_restored_after_a_refusal(hand: Hand, assista
     assert hand.main(lambda: dialog().setup.identity.settings[111]) == 5000
     assert "error:4" in hand.main(lambda: dialog().page.note.text()), "the refusal stays to be read"
     hand.shot(f"assistant-refused-{hand.main(FreeCADGui.getLocale)}", A)
+    hand.item(f"{A}_settings", "$111")
+    assert hand.main(lambda: dialog().page.table.currentRow()) == 1
+    stops_on_the_way(hand)
+
+
+def stops_on_the_way(hand: Hand) -> None:
+    """Move the second axis, and stop it before it is there."""
+    go_to(hand, 4, "Measure")
+    hand.choose(f"{A}_axis", "Y")
+    assert hand.text(f"{A}_steps").startswith("Y: ")
+    hand.wait(lambda: not dialog().bench.why_not(), 20, "the machine")
+    hand.click(f"{A}_move")
+    hand.wait(lambda: dialog().bench.status.mpos_mm[1] > 0.5, 10, "it moves")
+    hand.click(f"{A}_stop")
+    hand.wait(lambda: dialog().bench.status.phase in ("idle", "alarm"), 20, "it stands")
+    assert 0.5 < hand.main(lambda: dialog().bench.status.mpos_mm[1]) < 90.0
+
+
+def go_to(hand: Hand, number: int, title: str) -> None:
+    """Click a step in the list."""
+    hand.item(hand.main(lambda: dialog().steps), f"{number}. {title}")
+    hand.wait(lambda: dialog().steps.currentRow() == number - 1, what=title)
+    hand.settle()
+
+
+@pytest.mark.parametrize("assistant", ["English"], indirect=True)
+def test_ports_machines_and_files_are_chosen_without_a_machine(
+    hand: Hand, assistant: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from CNCStepper.control.transport import link
+
+    monkeypatch.setattr(link, "port_list", lambda: [SimpleNamespace(name="/dev/ttyNEW0", text="New board")])
+    hand.click(f"{A}_look")
+    hand.wait(lambda: hand.text(f"{A}_found").startswith("New board is new"), what="the port that has come")
+    hand.choose(f"{A}_baud", "57600")
+    assert hand.main(lambda: (dialog().page._port(), dialog().page.baud.currentText())) == ("/dev/ttyNEW0", "57600")
+    hand.fill(f"{A}_port", "socket://127.0.0.1:2300")
+    hand.wait(lambda: not places.visible(f"{A}_baud"), what="a baud rate that an address does not have")
+    go_to(hand, 2, "Machine")
+    for box, entry, every in (("process", "turning", "table-a"), ("controller", "thesis-a", "genmitsu-3018-pro")):
+        hand.choose(f"{A}_{box}", entry)
+        assert hand.main(listed) and every not in hand.main(listed)
+        hand.choose(f"{A}_{box}", "all")
+        assert every in hand.main(listed)
+    go_to(hand, 3, "Values")
+    hand.fill(f"{FIELD}_name", "Shop mill")
+    go_to(hand, 6, "Save")
+    assert hand.text(f"{A}_name") == "shop-mill"
+    hand.click(f"{A}_save")
+    hand.click(f"{A}_export")
+    file = tmp_path / "oficina.fcm"
+    choose_file(hand, f"{A}_file", file)
+    hand.wait(file.is_file, 10, "the machine's file for FreeCAD")
+    go_to(hand, 2, "Machine")
+    hand.item(f"{A}_starts", MILL)
+    hand.click(f"{A}_fcm")
+    choose_file(hand, f"{A}_file", file)
+    hand.wait(lambda: hand.text(f"{A}_about").startswith("Shop mill is read."), 10, "the file to be read")
+
+
+def listed() -> list[str]:
+    """Return the profiles that can be begun from."""
+    entries = dialog().page.list
+    return [entries.item(row).data(QtCore.Qt.ItemDataRole.UserRole) for row in range(entries.count())]

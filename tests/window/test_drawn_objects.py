@@ -14,9 +14,11 @@ import pytest
 from PySide import QtGui
 
 from CNCStepper.workbench.features.base import problem_of, proxy_type
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 
 ROOT = Path(__file__).parents[2]
+IMPORT = "CNCStepper_Import_drawing"
 LANGUAGES = {"en": "English", "pt": "pt-BR"}
 SHEET = """<svg xmlns="http://www.w3.org/2000/svg" width="80mm" height="50mm" viewBox="0 0 80 50">
 <g id="cut" fill="none" stroke="#ff0000"><path id="edge" d="M5 5 H75 V45 H5 V5.3"/></g>
@@ -54,13 +56,6 @@ def cut_texts() -> list[str]:
     return [part.text() for part in ours if part.width() < part.minimumSizeHint().width()]
 
 
-def choose_file(hand: Hand, path: Path, dialog: str = "CNCStepper_Import_drawing") -> None:
-    hand.find(dialog)
-    hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(path)))
-    hand.click("fileNameEdit")
-    hand.key("Return")
-
-
 def gap_row() -> str:
     """Return the text of the first row of the findings."""
     return str(FreeCADGui.getMainWindow().findChild(QtGui.QListWidget, "CNCStepper_Panel_findings").item(0).text())
@@ -83,7 +78,7 @@ def test_a_drawing_is_imported_mended_and_reloaded(hand: Hand, document: Any, la
     path.write_text(SHEET.format(radius=5), "utf-8")
     with hand.watchdog() as watch:
         hand.command("CNCStepper_ImportDrawing")
-        choose_file(hand, path)
+        choose_file(hand, IMPORT, path)
         hand.wait(lambda: of_type(document, "CNCStepper_Drawing") and len(wires(document)) == 2, 40, "the contours")
         hand.wait(lambda: hand.exists("CNCStepper_Panel_findings"), 5)
     print(f"import: at most {watch.max_ms:.0f} ms")
@@ -107,6 +102,13 @@ def test_a_drawing_is_imported_mended_and_reloaded(hand: Hand, document: Any, la
     hand.wait(lambda: FreeCADGui.Control.activeDialog(), 10)
     hand.click("CNCStepper_Panel_reload")
     hand.wait(lambda: math.isclose(wires(document)["hole"].Shape.Length, 8 * math.pi), 20, "the new hole")
+    other = tmp_path / "outra.svg"
+    for file, radius in ((other, 3), (path, 4)):
+        file.write_text(SHEET.format(radius=radius), "utf-8")
+        hand.click("CNCStepper_Panel_file_choose")
+        choose_file(hand, IMPORT, file)
+        length = 2 * math.pi * radius
+        hand.wait(lambda length=length: math.isclose(wires(document)["hole"].Shape.Length, length), 20, file.name)
     hand.button("OK")
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 10, "the panel to close")
     assert {key: each.Name for key, each in hand.main(lambda: wires(document)).items()} == names
@@ -148,10 +150,21 @@ def hand_text(hand: Hand, text: str) -> None:
     box.setPlainText(text)
 
 
+def shapes() -> list[str]:
+    """Return the names below the pictures."""
+    pictures = FreeCADGui.getMainWindow().findChild(QtGui.QListWidget, "CNCStepper_Panel_shapes")
+    return [pictures.item(row).text() for row in range(pictures.count())]
+
+
 def test_a_shape_is_chosen_by_its_picture(hand: Hand, document: Any, language: str) -> None:
     hand.command("CNCStepper_Shapes")
     hand.wait(lambda: hand.exists("CNCStepper_Panel_shapes"), 10)
     hand.shot(f"shapes-{language}")
+    first, *others = hand.main(lambda: [hand.find("CNCStepper_Panel_family").itemText(row) for row in range(2)])
+    for family in (*others, first):
+        before = hand.main(shapes)
+        hand.choose("CNCStepper_Panel_family", family)
+        hand.wait(lambda before=before: shapes() != before, 5, family)
     hand.item("CNCStepper_Panel_shapes", "Ring" if language == "en" else "Anel", double=True)
     hand.wait(lambda: hand.exists("CNCStepper_Panel_outer_diameter_mm"), 10)
     hand.fill("CNCStepper_Panel_outer_diameter_mm", "60")
@@ -160,19 +173,19 @@ def test_a_shape_is_chosen_by_its_picture(hand: Hand, document: Any, language: s
     hand.fill("CNCStepper_Panel_inner_diameter_mm", "70")
     hand.wait(lambda: hand.exists("CNCStepper_Panel_problem"), 10, "the refusal")
     hand.shot(f"shape-refused-{language}")
-    hand.button("Cancel")
+    hand.click("CNCStepper_Panel_cancel")
     hand.wait(lambda: not document.Objects, 10, "nothing to be left")
 
 
 def test_a_job_file_is_opened_and_exported(hand: Hand, document: Any, tmp_path: Path) -> None:
     hand.menu("CNCStepper", "Open job")
-    choose_file(hand, ROOT / "examples" / "jobs" / "cycles" / "contour.toml", "CNCStepper_Job_file")
+    choose_file(hand, "CNCStepper_Job_file", ROOT / "examples" / "jobs" / "cycles" / "contour.toml")
     hand.wait(lambda: of_type(document, "CNCStepper_Job"), 30, "the job")
     hand.wait(lambda: not problem_of(of_type(document, "CNCStepper_Job")), 30, "its program")
     hand.shot("job-opened")
     hand.tree("contour")
     hand.menu("CNCStepper", "Export job")
-    choose_file(hand, tmp_path / "saída.toml", "CNCStepper_Job_file")
+    choose_file(hand, "CNCStepper_Job_file", tmp_path / "saída.toml")
     hand.wait(lambda: (tmp_path / "saída.toml").exists(), 20, "the file")
     hand.undo()
     hand.wait(lambda: not document.Objects, 10, "the job to be undone")

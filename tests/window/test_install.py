@@ -13,7 +13,6 @@ from typing import Any
 
 import FreeCADGui
 import pytest
-from PySide import QtGui
 from test_language import PORTUGUESE, STARTED_IN, shown_texts
 
 from CNCStepper import dependencies
@@ -24,6 +23,7 @@ from CNCStepper.workbench import packages
 from CNCStepper.workbench.installation.dialog import Installer
 from helpers.wheels import write_wheel
 from window_helpers import screen_places as places
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 
 I = "CNCStepper_Install"  # noqa: E741
@@ -84,11 +84,7 @@ def choose(hand: Hand, entry: str, path: Path) -> None:
     hand._click_place(hand._place(places.of_widget, f"{I}_files", None))
     hand.wait(lambda: places.popup_entry(entry))
     hand._click_place(hand.main(places.popup_entry, entry))
-    hand.wait(lambda: hand.exists(f"{I}_file"), 10, "the question which file")
-    line = hand.main(lambda: places.find(f"{I}_file").findChild(QtGui.QLineEdit, "fileNameEdit"))
-    hand.main(line.setText, str(path))
-    hand.click("fileNameEdit")
-    hand.key("Return")
+    choose_file(hand, f"{I}_file", path)
     hand.wait(lambda: places.find(f"{I}_status").text(), 10, "the installation to begin")
 
 
@@ -126,24 +122,32 @@ def test_a_folder_is_installed_and_imported_at_once(hand: Hand, open_dialog: Any
     hand.shot("install-done", dialog)
 
 
-def test_only_what_is_marked_comes_from_a_zip(
-    hand: Hand, open_dialog: Any, wheels: Path, target: Path, tmp_path: Path
+def test_only_what_is_marked_comes_from_a_zip_and_the_rest_from_the_index(
+    hand: Hand, open_dialog: Any, wheels: Path, target: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     archive = tmp_path / "packages.zip"
     with zipfile.ZipFile(archive, "w") as written:
         for wheel in wheels.glob("*.whl"):
             written.write(wheel, wheel.name)
     dialog = open_dialog()
-    hand.main(lambda: dialog.list.setFocus())
-    hand.key("Home")
-    hand.key("Down")
-    hand.key("space")
-    assert hand.main(dialog.chosen) == ["cncstepper_probe"]
+    hand.click(hand.main(dialog.list.viewport), at=hand.main(mark_of, dialog.list, 1))
+    hand.wait(lambda: dialog.chosen() == ["cncstepper_probe"], 5, "the mark to go")
     choose(hand, "From a zip…", archive)
     if not ended(hand, dialog):
         return
     assert not any(path.name.startswith("cncstepper_spare") for path in target.iterdir())
     assert [hand.main(lambda: dialog.list.item(0).text()).split()[0]] == ["cncstepper_spare"]
+    monkeypatch.setenv("PIP_NO_INDEX", "1")
+    monkeypatch.setenv("PIP_FIND_LINKS", str(wheels))
+    hand.click(f"{I}_install")
+    hand.wait(lambda: dialog.run is None and dialog.list.count() == 0, INSTALLED_S, "the other one")
+    assert hand.text(f"{I}_status").startswith("Installed.")
+
+
+def mark_of(view: Any, row: int) -> tuple[int, int]:
+    """Return the place of the mark before an entry of a list."""
+    rect = view.visualRect(view.model().index(row, 0))
+    return rect.left() + 10, rect.center().y()
 
 
 def test_a_failure_says_what_to_do_in_portuguese(hand: Hand, open_dialog: Any, wheels: Path, target: Path) -> None:
@@ -157,6 +161,9 @@ def test_a_failure_says_what_to_do_in_portuguese(hand: Hand, open_dialog: Any, w
         assert ("não tem cncstepper_base" in said and "make installer PYTHONS=" in said) or "não tem o pip" in said
         hand.click(f"{I}_details_button")
         hand.wait(dialog.details.isVisible)
+        hand.click(f"{I}_details")
+        hand.key("Ctrl+A")
+        assert hand.main(lambda: dialog.details.textCursor().hasSelection()), "what pip said can be copied"
         hand.shot("install-failed-portuguese", dialog)
         assert {"Instalar", "De arquivos", "Detalhes", "Fechar"} <= hand.main(lambda: shown_texts(dialog))
         assert not target.exists()

@@ -15,6 +15,7 @@ from PySide import QtGui
 
 from CNCStepper.control.processes.python_finder import command, environment, find_python
 from window_helpers import screen_places as places
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 
 D, L = "CNCStepper_Dock_", "CNCStepper_Letters_"
@@ -74,7 +75,8 @@ def test_letters_are_drawn_sent_followed_and_led_back(hand: Hand, dock: Any, tmp
     hand.command("CNCStepper_Letters")
     hand.wait(lambda: hand.exists(f"{L}open"), 10, "the window of letters")
     dialog = hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDialog, "CNCStepper_Letters"))
-    hand.main(dialog.open_file, file)
+    hand.click(f"{L}open")
+    choose_file(hand, f"{L}file", file)
     hand.wait(lambda: str(4 * SIDE) in hand.text(f"{L}pulse"), what="the counters")
     hand.shot("letters-open")
     assert not hand.main(lambda: places.find(f"{L}send").isEnabled())  # the board has just restarted
@@ -88,8 +90,20 @@ def test_letters_are_drawn_sent_followed_and_led_back(hand: Hand, dock: Any, tmp
     hand.wait(lambda: dock.link.status.phase == "idle" and dialog.slider.value() == 4 * SIDE, 60, "the end")
     hand.wait(lambda: not dialog._is_sent, 20, "the outcome, which shows the end once more")
     assert hand.main(stands) == begin
+    hand.click(f"{L}slider")
+    hand.wait(lambda: dialog.slider.value() < 4 * SIDE, 5, "a pulse before the end")
+    hand.click(dialog.timeline)
+    hand.wait(lambda: abs(dialog.slider.value() - 2 * SIDE) < SIDE / 5, 5, "the pulse in the middle")
     hand.main(dialog.choose, 2 * SIDE)
     hand.wait(lambda: hand.text(f"{L}x") == f"+{SIDE}", what="the place that was chosen")
+    hand.choose(f"{L}axis", "Y")
+    hand.fill(f"{L}count", "3")
+    for button, pulses in (("plus", 3), ("minus", 0)):
+        hand.click(f"{L}{button}")
+        hand.wait(lambda pulses=pulses: stands() == [begin[0], begin[1] + pulses], 20, button)
+        hand.wait(lambda: not dialog.why_not(), 20, "it rests")
+    hand.choose(f"{L}axis", "X")
+    hand.fill(f"{L}count", "1")
     hand.click(f"{L}plus")
     hand.wait(lambda: stands() == [begin[0] + 1, begin[1]], 20, "one pulse by hand")
     hand.wait(lambda: places.find(f"{L}back").isEnabled(), 20)

@@ -5,19 +5,21 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import FreeCAD
 import FreeCADGui
 import pytest
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from CNCStepper.machine.files.profile_files import config_folder
+from CNCStepper.machine.libraries.chart_library import CHARTED
 from CNCStepper.machine.libraries.tool_library import library_path, library_tools
 from CNCStepper.workbench import api, panels
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
-from window_helpers.tables import put
+from window_helpers.tables import click_tab, put, rows_by_buttons
 
 L = "CNCStepper_Library"
 TOOLS, MATERIALS, CHARTS = range(3)
@@ -53,9 +55,8 @@ def library(hand: Hand) -> Iterator[Any]:
 
 @pytest.mark.window("plain", "portuguese")
 def test_nothing_is_cut_off(hand: Hand, library: Any) -> None:
-    for tab in (TOOLS, MATERIALS, CHARTS):
-        hand.main(library.tabs.setCurrentIndex, tab)
-        hand.settle()
+    for tab in (MATERIALS, CHARTS, TOOLS):
+        click_tab(hand, library.tabs, tab)
         hand.shot(f"library-{tab}")
         assert hand.main(places.narrower_than_their_text, library) == []
 
@@ -85,6 +86,34 @@ def test_a_tool_is_typed_saved_searched_and_put_into_the_job(hand: Hand, library
     hand.click("CNCStepper_Panel_tools_library")
     hand.wait(lambda: widget(MENU) and widget(MENU).isVisible(), 5, "the menu")
     hand.shot("library-menu")
-    hand.key("Down")
-    hand.key("Return")
+    hand.entry("T2  Sign cutter")
     hand.wait(lambda: len(job.Tools) == 2 and job.Tools[1].Diameter.Value == 3.175, 5, "the tool of the menu")
+    hand.click("CNCStepper_Panel_tools_library")
+    hand.entry("Keep the marked tool")
+    hand.wait(lambda: len(library_tools()) == 3, 5, "a third tool in the library")
+
+
+def test_rows_of_every_table_come_and_go_by_buttons(
+    hand: Hand, library: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    hand.click(f"{L}_tools_add")
+    keys = {library.tools: "name", library.materials: "title", library.charts: "consumable"}
+    for tab, (page, key) in enumerate(keys.items()):
+        click_tab(hand, library.tabs, tab)
+        rows_by_buttons(hand, page, tmp_path)
+        hand.click(f"{page.name}_revert")
+        hand.wait(lambda page=page: not page.draft.is_changed, 5, "the rows as they are saved")
+        if tab == TOOLS:
+            continue
+        put(hand, page, 0, key, "A")
+        hand.click(f"{page.name}_save")
+        hand.wait(lambda page=page: not page.draft.is_changed, 5, "the change to be saved")
+        assert hand.main(lambda page=page, key=key: page.draft.table[0].texts[key]) == "A"
+    hand.choose(f"{L}_charts_process", hand.main(lambda: library.process.itemText(1)))
+    hand.wait(lambda: library.charts.draft.library.process == CHARTED[1], 5, "another chart")
+    put(hand, library.charts, 0, "consumable", "B")
+    for answer, is_open in (("cancel", True), ("discard", False)):
+        hand.main(QtCore.QTimer.singleShot, 0, library.close)
+        hand.click(f"{L}_closing_{answer}")
+        hand.wait(lambda is_open=is_open: library.isVisible() == is_open, 5, answer)

@@ -68,6 +68,15 @@ def press(hand: Hand, name: str) -> None:
     hand.click(f"{T}_{name}")
 
 
+def put(hand: Hand, **values: str) -> None:
+    """Type into fields, and choose in boxes."""
+    for name, text in values.items():
+        hand.main(lambda name=name: places.scroll_to(places.find(f"{T}_{name}")))
+        hand.settle()
+        is_box = isinstance(hand.find(f"{T}_{name}"), QtGui.QComboBox)
+        hand.choose(f"{T}_{name}", text) if is_box else hand.fill(f"{T}_{name}", text)
+
+
 def mpos(test: Any) -> tuple[float, ...]:
     return tuple(round(value, 2) for value in test.bench.status.mpos_mm)
 
@@ -88,13 +97,22 @@ def test_pulses_a_square_and_a_circle(hand: Hand, bench: Any) -> None:
     press(hand, "back")
     hand.wait(lambda: mpos(test) == began, 20, "back again")
     rests(hand, test)
-    hand.main(test.size.setValue, 10.0)
-    hand.main(test.feed.setValue, 3000.0)
+    put(hand, axis="Y", pulses="80", size="10", feed="3000", height="2")
+    for name, place in (("forward", (began[0], began[1] + 1.0, began[2])), ("back", began)):
+        press(hand, name)
+        hand.wait(lambda place=place: mpos(test) == place, 20, "80 pulses of 80 a mm")
+        rests(hand, test)
     for name in ("square", "circle"):
         press(hand, name)
-        hand.wait(lambda: test.bench.is_busy, 5, "it begins")
+        hand.wait(lambda: mpos(test)[2] == began[2] + 2.0, 5, "it lifts")
         rests(hand, test)
         hand.wait(lambda: mpos(test) == began, 20, f"the {name} closes")
+    put(hand, feed="100", height="0")
+    press(hand, "square")
+    hand.wait(lambda: mpos(test)[0] > began[0] + 0.2, 10, "it moves")
+    press(hand, "stop")
+    hand.wait(lambda: test.bench.status.phase in ("idle", "alarm"), 20, "it stands")
+    assert began[0] < hand.main(mpos, test)[0] < began[0] + 9.0
 
 
 def test_relays_switch_and_show_what_is_on(hand: Hand, bench: Any) -> None:
@@ -105,19 +123,21 @@ def test_relays_switch_and_show_what_is_on(hand: Hand, bench: Any) -> None:
     assert hand.main(test._relays["flood"].isChecked)
     press(hand, "relay_flood")
     hand.wait(lambda: "F" not in (test.bench.status.outputs or ""), 20, "flood is off")
+    rests(hand, test)
+    press(hand, "relay_spindle_cw")
+    hand.wait(lambda: "S" in (test.bench.status.outputs or ""), 20, "the spindle is on")
 
 
 def test_a_measured_travel_corrects_the_profile(hand: Hand, bench: Any) -> None:
     test = bench.test
-    hand.main(test.travel_length.setValue, 10.0)
-    hand.main(test.feed.setValue, 3000.0)
-    for measured in (9.9, 9.91, 9.89):
+    put(hand, travel_axis="Y", length="10", feed="3000")
+    for measured in ("9.9", "9.91", "9.89"):
         press(hand, "start")
         rests(hand, test)
         press(hand, "along")
         hand.wait(lambda: test.bench.is_busy, 5, "it begins")
         rests(hand, test)
-        hand.main(test.measured.setValue, measured)
+        put(hand, measured=measured)
         press(hand, "reading")
         hand.settle()
         rests(hand, test)
@@ -125,22 +145,36 @@ def test_a_measured_travel_corrects_the_profile(hand: Hand, bench: Any) -> None:
     hand.shot("machine-test-travel", M)
     press(hand, "correct")
     hand.wait(lambda: bench.draft.is_changed, what="the draft")
-    assert hand.main(lambda: bench.draft.texts[("axis", "x", "steps_per_mm")]) == "80.8081"
+    assert hand.main(lambda: bench.draft.texts[("axis", "y", "steps_per_mm")]) == "80.8081"
 
 
 def test_backlash_and_squareness(hand: Hand, bench: Any) -> None:
     test = bench.test
-    hand.main(test.feed.setValue, 3000.0)
-    for side, value in (("below", 0.02), ("above", 0.12)):
+    put(hand, feed="3000", play_axis="Y", distance="2")
+    began = hand.main(mpos, test)
+    for side, value in (("below", "0.02"), ("above", "0.12")):
         press(hand, side)
         hand.wait(lambda: test.bench.is_busy, 5, "it begins")
         rests(hand, test)
-        hand.main(test.dial.setValue, value)
+        put(hand, dial=value)
         press(hand, f"dial_{side}")
     assert "backlash 0.1 mm" in hand.text(f"{T}_play_words")
-    hand.main(test.falling.setValue, 501.0)
+    press(hand, "play_correct")
+    hand.wait(lambda: bench.draft.texts[("axis", "y", "backlash_mm")] == "0.1", 5, "the draft")
+    assert hand.main(mpos, test)[0] == began[0], "only the axis that was chosen"
+    put(hand, side_x="3", side_y="4")
+    begins, goes = hand.main(mpos, test), ((3.0, 0.0), (3.0, 4.0), (0.0, 4.0), (0.0, 0.0))
+    for corner, (x, y) in enumerate(goes):
+        press(hand, f"corner_{corner}")
+        place = (round(begins[0] + x, 2), round(begins[1] + y, 2), begins[2])
+        hand.wait(lambda place=place: mpos(test) == place, 20, f"corner {corner}")
+        rests(hand, test)
+    put(hand, side_x="300", side_y="400", falling="501")
     press(hand, "angle")
     assert "90.2390°: 4.171 mm" in hand.text(f"{T}_square_words")
+    put(hand, rising="499")
+    press(hand, "angle")
+    assert "90.2390°" not in hand.text(f"{T}_square_words")
     hand.shot("machine-test-square", M)
 
 

@@ -16,6 +16,7 @@ from CNCStepper.machine.files.profile_files import own_folder, own_names
 from CNCStepper.machine.profile import load_machine
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
+from window_helpers.tables import click_cell, click_tab
 
 M, FIELD = "CNCStepper_Machines", "CNCStepper_Machine"
 
@@ -126,19 +127,12 @@ def test_relays_and_inputs_are_added_line_by_line(hand: Hand, machines: Any) -> 
     assert "your copy" in hand.main(machines.about.text)
 
 
-def click_tab(hand: Hand, number: int) -> None:
-    bar = hand.main(lambda: dialog().tabs.tabBar())
-    middle = hand.main(lambda: bar.tabRect(number).center())
-    hand.click(bar, at=(middle.x(), middle.y()))
-    hand.wait(lambda: dialog().tabs.currentIndex() == number, what="the tab")
-
-
 def test_every_field_takes_what_a_hand_gives_and_revert_takes_all_back(hand: Hand, machines: Any) -> None:
     hand.item(f"{M}_list", "thesis-table")
     hand.wait(lambda: machines.name == "thesis-table", what="the profile")
     hand.keyboard.learn("7")
     for tab, section in enumerate(machines.sections.values()):
-        click_tab(hand, tab)
+        click_tab(hand, machines.tabs, tab)
         for path, field in section.fields.items():
             give(hand, field.editor, partial(lambda path: machines.draft.texts[path], path))
         for name, field in list(getattr(section, "pins", {}).items()):
@@ -193,16 +187,6 @@ def add_and_remove(hand: Hand, key: str, editor: Any) -> None:
     click_cell(hand, editor.grid, lines, 0)
     hand.click(f"{FIELD}_{key}_remove")
     hand.wait(lambda: len(editor.entries) == lines, 5, "the line to go")
-
-
-def click_cell(hand: Hand, grid: Any, line: int, place: int) -> None:
-    def middle() -> tuple[int, int]:
-        grid.scrollTo(grid.model().index(line, place))
-        rect = grid.visualRect(grid.model().index(line, place))
-        return rect.center().x(), rect.center().y()
-
-    hand.click(hand.main(grid.viewport), at=hand.main(middle))
-    hand.wait(lambda: (grid.currentRow(), grid.currentColumn()) == (line, place), 5, "the cell")
 
 
 def note_text(key: str) -> str:

@@ -27,6 +27,7 @@ from CNCStepper.workbench.features.base import problem_of, proxy_type, value_of
 from CNCStepper.workbench.features.operation import Operation
 from CNCStepper.workbench.panels.operations.preset_row import fitting, preset_entries
 from window_helpers import screen_places as places
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 
 DEPTH, STEPOVER, TIME, OK, CANCEL = (
@@ -402,7 +403,7 @@ def arrow_of(combo: Any) -> tuple[float, float]:
     return combo.width() - 10, combo.height() / 2
 
 
-def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:
+def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench, tmp_path: Path) -> None:
     bench.open(bench.job)
     hand.shot("panel-job")
     first, second = hand.main(lambda: [operation.Label for operation in bench.job.Operations])
@@ -417,6 +418,14 @@ def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:
     hand.wait(lambda: [operation.Label for operation in bench.job.Operations] == [second, first])
     hand.wait(lambda: "Touched" not in bench.job.State, 20, "the program in the new order")
     assert hand.main(api.program_text, bench.job).index("engrave") < hand.main(api.program_text, bench.job).index("ell")
+    hand.click("CNCStepper_Panel_operations_down")
+    hand.wait(lambda: [operation.Label for operation in bench.job.Operations] == [first, second], 5, "the old order")
+    hand.click("CNCStepper_Panel_operations_up")
+    hand.wait(lambda: [operation.Label for operation in bench.job.Operations] == [second, first], 5, "the new order")
+    hand.main(lambda: hand_into("CNCStepper_Panel_stock_fit"))
+    hand.main(FreeCADGui.Selection.addSelection, bench.sketch)
+    hand.click("CNCStepper_Panel_stock_fit")
+    hand.wait(lambda: tuple(bench.job.StockSize)[:2] == pytest.approx((80, 60), abs=0.5), 10, "10 mm around it")
     hand.main(lambda: hand_into("CNCStepper_Panel_tools_add"))
     hand.click("CNCStepper_Panel_tools_remove")
     assert "is cut with it" in hand.text("CNCStepper_Panel_tools_error")
@@ -429,6 +438,13 @@ def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench) -> None:
     hand.shot("panel-job-tools")
     hand.click("CNCStepper_Panel_tools_remove")
     hand.wait(lambda: len(bench.job.Tools) == 1)
+    table = tmp_path / "tool.tbl"
+    table.write_text("T7 P7 D4.5 ;end mill\n", "utf-8")
+    hand.click("CNCStepper_Panel_tools_import")
+    choose_file(hand, "CNCStepper_Import_file", table)
+    hand.wait(lambda: [tool.Diameter.Value for tool in bench.job.Tools] == [6, 4.5], 10, "the tool of the table")
+    hand.item("CNCStepper_Panel_tools", hand.main(lambda: _rows("CNCStepper_Panel_tools")[0].text()))
+    hand.wait(lambda: hand_box("CNCStepper_Panel_diameter_mm").text().startswith("6"), 10, "the first tool's diameter")
     hand.click(OK)
     hand.wait(bench.closed)
     assert hand.main(lambda: bench.document.UndoCount) == 1

@@ -14,6 +14,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.machine.part_record_table import MOST_PARTS, read_csv
 from window_helpers import screen_places as places
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 
 R = "CNCStepper_PartRecords"
@@ -54,13 +55,6 @@ def typed(hand: Hand, window: Any, row: int, *texts: str) -> None:
         hand.key("Tab")
 
 
-def in_file_dialog(hand: Hand, path: Path) -> None:
-    hand.wait(lambda: widget(f"{R}_file") and widget(f"{R}_file").isVisible(), what="the file dialog")
-    hand.main(widget(f"{R}_file").findChild(QtGui.QLineEdit).setText, str(path))
-    hand.key("Return")
-    hand.wait(lambda: not widget(f"{R}_file") or not widget(f"{R}_file").isVisible(), what="the dialog to close")
-
-
 def colours(view: Any) -> int:
     image = view.grab().toImage()
     return len({image.pixel(x, y) for x in range(image.width()) for y in range(0, image.height(), 4)})
@@ -81,7 +75,7 @@ def test_parts_are_typed_pasted_worked_out_saved_and_opened(hand: Hand, window: 
     hand.wait(lambda: shown(window, 0)[4:] == figures, 5, "the figures")
     hand.main(QtGui.QApplication.clipboard().setText, PASTED)
     hand.main(lambda: (window.table.setFocus(), window.table.setCurrentIndex(window.model.index(1, 0))))
-    hand.key("Ctrl+V")
+    hand.click(f"{R}_paste")
     hand.wait(lambda: len(window.model.judged.whole) == 3, 5, "the pasted rows")
     assert "3" in hand.text(f"{R}_summary") and not hand.main(window.note.isVisible)
     assert hand.main(lambda: colours(window.views[1])) > empty
@@ -89,19 +83,20 @@ def test_parts_are_typed_pasted_worked_out_saved_and_opened(hand: Hand, window: 
     assert hand.main(places.narrower_than_their_text, window) == []
     file, picture = tmp_path / "parts.csv", tmp_path / "parts.png"
     hand.click(f"{R}_save")
-    in_file_dialog(hand, file)
+    choose_file(hand, f"{R}_file", file)
     hand.wait(file.exists, 5, "the file")
     assert [float(row[0].replace(",", ".")) for row in read_csv(file)[0]] == [150.02, 149.97, 150.0]
     too_much_is_refused(hand, window)
     hand.click(f"{R}_plots")
-    in_file_dialog(hand, picture)
+    choose_file(hand, f"{R}_file", picture)
     hand.wait(picture.exists, 5, "the picture")
     hand.fill(f"{R}_diameter", "60")
     hand.wait(lambda: window.isWindowModified(), 5, "the change")
-    assert shown(window, 0)[6] == f"{mean / 60:.5f}"
+    hand.fill(f"{R}_height", "149")
+    hand.wait(lambda: shown(window, 0)[6:] == [f"{mean / 60:.5f}", f"{150.02 / 149:.5f}"], 5, "both ratios")
     answers_what_would_be_lost(hand, window)
     hand.click(f"{R}_open")
-    in_file_dialog(hand, file)
+    choose_file(hand, f"{R}_file", file)
     hand.wait(lambda: window.nominal_mm == (150.0, 50.0) and len(window.model.judged.whole) == 3, 5, "the file")
     assert file.name in hand.main(window.windowTitle)
 

@@ -17,8 +17,11 @@ from PySide import QtGui
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of, proxy_type
+from CNCStepper.workbench.features.drawings.nest import part_values
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 
+P = "CNCStepper_Panel_"
 LANGUAGES = {"en": "English", "pt": "pt-BR"}
 SQUARE = "G21 G90 G17\nM3 S1000\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F200\nG1 X20 F600\nG1 Y10\nG1 X0\nG1 Y0\nG0 Z5\nM5\nM2\n"
 MOST_MS = 50.0  # of one call on the window's thread, beside what FreeCAD itself takes
@@ -171,6 +174,65 @@ def test_parts_are_nested_dragged_turned_locked_and_filled(hand: Hand, language:
     hand.wait(lambda: of_type(document, "CNCStepper_Nest") is not None, 10)
 
 
+def test_parts_and_remnants_are_chosen_in_menus_and_cells_typed(hand: Hand, tmp_path: Path) -> None:
+    document = hand.main(new_document)
+
+    def make() -> Any:
+        plate = wire(document, "Plate", [(0, 0), (60, 0), (60, 20), (0, 20)])
+        wire(document, "Bar", [(100, 0), (140, 0), (140, 15), (100, 15)])
+        wire(document, "Rest", [(200, 0), (300, 0), (300, 100), (200, 100)])
+        document.recompute()
+        select(plate)
+
+    hand.main(make)
+    hand.command("CNCStepper_Nest")
+    hand.wait(lambda: hand.exists(f"{P}count_0"), 10)
+    nest = hand.main(of_type, document, "CNCStepper_Nest")
+    for button, entry, labels in (
+        ("add_part", "Bar", ["Plate", "Bar"]),
+        ("add_part", "Rest", ["Plate", "Bar", "Rest"]),
+    ):
+        hand.click(f"{P}{button}")
+        hand.entry(entry)
+        hand.wait(lambda labels=labels: [part.Label for part in nest.Parts] == labels, 5, entry)
+    hand.item(f"{P}parts", "Rest")
+    hand.click(f"{P}drop_part")
+    hand.wait(lambda: len(nest.Parts) == 2, 5, "the part to be left out")
+    for entry, count in (("All of them", 3), ("", 0), ("Rest", 1)):
+        hand.click(f"{P}add_rest" if entry else f"{P}drop_rests")
+        if entry:
+            hand.entry(entry)
+        hand.wait(lambda count=count: len(nest.Remnants) == count, 5, f"{count} remnants")
+    for column, (key, value) in enumerate({"count": "2", "turn": "any", "grain": "", "priority": "3"}.items(), 2):
+        set_cell(hand, nest, column, key, value)
+    set_cell(hand, nest, 6, "thickness_mm", "1.5")
+    set_cell(hand, nest, 6, "thickness_mm", "0")
+    hand.fill(f"{P}time_s", "1")
+    hand.fill(f"{P}folder", str(tmp_path))
+    hand.click(f"{P}nest")
+    hand.wait(lambda: nest.Placed == 3 and panel_or_none() is not None, 60, "the parts to be placed")
+    panel = hand.main(panel_of)
+    hand.settle()
+    hand.click_view(hand.view_point(*hand.main(lambda: panel.nest.polygon(0).centroid.coords[0])))
+    hand.click(f"{P}remove_part")
+    hand.wait(lambda: len(panel.rows()) == 2, 10, "the part to be taken away")
+    hand.click(f"{P}cancel")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 60)
+
+
+def set_cell(hand: Hand, nest: Any, column: int, key: str, text: str) -> None:
+    """Type or choose in a cell of the first row, "" for another choice; the object holds it."""
+    table, cell = hand.find(f"{P}parts"), f"{P}{key}_0"
+    hand.main(lambda: table.scrollTo(table.model().index(0, column)))
+    before = hand.main(lambda: part_values(nest)[0])
+    if isinstance(hand.find(cell), QtGui.QComboBox):
+        choices = hand.main(lambda: [hand.find(cell).itemText(row) for row in range(hand.find(cell).count())])
+        hand.choose(cell, text or next(one for one in choices if one != hand.text(cell)))
+    else:
+        hand.fill(cell, text)
+    hand.wait(lambda: part_values(nest)[0] != before, 5, f"{key} of the object")
+
+
 def test_programs_are_arranged_by_the_mouse(hand: Hand, language: str, tmp_path: Path) -> None:
     document = hand.main(new_document)
     file, out = tmp_path / "square.nc", tmp_path / "tudo.nc"
@@ -217,10 +279,7 @@ def test_a_file_is_added_turned_with_shift_and_taken_away(hand: Hand, tmp_path: 
     hand.command("CNCStepper_Arrangement")
     hand.wait(lambda: hand.exists("CNCStepper_Panel_count_0"), 10)
     hand.click("CNCStepper_Panel_add_file")
-    hand.wait(lambda: hand.exists("fileNameEdit"), 10, "the file's dialog")
-    hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(files[1])))
-    hand.click("fileNameEdit")
-    hand.key("Return")
+    choose_file(hand, "CNCStepper_Editor_file", files[1])
     hand.wait(lambda: hand.exists("CNCStepper_Panel_count_1"), 10, "the row of the file")
     hand.fill("CNCStepper_Panel_file", str(tmp_path / "tudo.nc"))
     hand.click("CNCStepper_Panel_place")
@@ -236,6 +295,9 @@ def test_a_file_is_added_turned_with_shift_and_taken_away(hand: Hand, tmp_path: 
     hand.shot("arrangement-turned-with-shift")
     hand.key("Delete")
     hand.wait(lambda: len(panel.rows()) == 1, 10, "the copy to be taken away")
+    hand.click(f"{P}write")
+    hand.wait((tmp_path / "tudo.nc").is_file, 60, "the program of the one that is left")
+    hand.wait(lambda: panel.work is None, 60, "the panel to rest")
     hand.button("Cancel")
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 60)
     assert hand.main(of_type, document, "CNCStepper_Arrangement") is None

@@ -14,8 +14,10 @@ from PySide import QtCore, QtGui
 from CNCStepper.workbench.document import preferred_values as preferred
 from CNCStepper.workbench.document.preferred_values import GROUP
 from CNCStepper.workbench.features.base import JOB, proxy_type
+from CNCStepper.workbench.first_run import card_setting
 from CNCStepper.workbench.proving.prove_program import proposed
 from window_helpers import screen_places as places
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 
 P = "CNCStepper_Preferences"
@@ -34,24 +36,29 @@ def test_what_is_preferred_is_what_the_next_job_begins_with(hand: Hand, tmp_path
     hand.shot("preferences")
     assert hand.main(lambda: places.narrower_than_their_text(box("folder").parent().parent())) == []
 
-    def choose() -> None:
-        for name, value in (("material", "mdf"), ("units", "inch")):
-            box(name).setCurrentIndex(box(name).findData(value))
-        box("thickness").setValue(6.5)
-
-    hand.main(choose)
-    hand.fill(hand.main(box, "folder"), str(tmp_path))
+    for name, value in (("machine", "table-b"), ("material", "mdf"), ("units", "inch")):
+        combo = hand.main(box, name)
+        hand.choose(combo, hand.main(lambda combo=combo, value=value: combo.itemText(combo.findData(value))))
+    hand.fill(hand.main(box, "thickness"), "65")
+    closed = hand.main(card_setting.was_closed)
+    hand.click(hand.main(box, "card"))
+    hand.fill(hand.main(box, "folder"), str(tmp_path.parent))
+    hand.click(hand.main(box, "browse"))
+    choose_file(hand, f"{P}_folder_dialog", tmp_path)
+    hand.wait(lambda: box("folder").text() == str(tmp_path), 5, "the folder that was chosen")
+    hand.click(hand.main(box, "folder"))
     hand.key("Return")  # OK
     hand.wait(lambda: box("machine") is None, 10, "the dialog to close")
+    assert hand.main(card_setting.was_closed) != closed
     try:
         hand.main(FreeCAD.newDocument, "Preferred")
         hand.command("CNCStepper_NewJob")
         job = hand.wait(lambda: next(filter(is_job, FreeCAD.ActiveDocument.Objects), None), 10, "the job")
-        assert (job.Material, job.Units, job.Machine) == ("mdf", "inch", "table-a")
-        assert hand.main(proposed, job).parent == tmp_path and preferred.thickness_mm() == 6.5
+        assert (job.Material, job.Units, job.Machine) == ("mdf", "inch", "table-b")
+        assert hand.main(proposed, job).parent == tmp_path and preferred.thickness_mm() == 65.0
         hand.key("Escape")
     finally:
-        hand.main(lambda: FreeCAD.ParamGet(GROUP).Clear())
+        hand.main(lambda: (FreeCAD.ParamGet(GROUP).Clear(), card_setting.remember_closed(closed)))
         hand.main(FreeCADGui.Control.closeDialog)
         hand.main(FreeCAD.closeDocument, "Preferred")
 

@@ -80,6 +80,11 @@ def seen(hand: Hand) -> set[str]:
     return set(hand.main(shown))
 
 
+def unfold() -> None:
+    for box in FreeCADGui.getMainWindow().findChildren(panels_editor())[0].form.boxes.values():
+        box.fold(False)
+
+
 def panels_editor() -> type:
     from CNCStepper.workbench.panels.object_form import Editor
 
@@ -108,15 +113,44 @@ def test_the_panel_of_an_operation(hand: Hand, document: Any, process: str) -> N
     job = hand.main(make_job, document, process)
     open_panel(hand, job.Operations[0], "tool")
     hand.shot(f"operation-{process}")
-
-    def unfold() -> None:
-        for box in FreeCADGui.getMainWindow().findChildren(panels_editor())[0].form.boxes.values():
-            box.fold(False)
-
     hand.main(unfold)
     hand.shot(f"operation-{process}-all")
     assert hand.main(cut_off) == []
     assert hand.main(problem_of, job.Operations[0]) == ""
+
+
+def test_what_a_laser_marks_is_checked_and_taken_from_the_selection(hand: Hand, document: Any) -> None:
+    job = hand.main(make_job, document, "laser")
+    lines = hand.main(two_lines, document)
+    operation = job.Operations[0]
+    open_panel(hand, operation, "tool")
+    marks, field = P + "mark_drawings", lambda: [drawing for drawing, _ in operation.MarkDrawings]
+    hand.main(unfold)
+    hand.settle()
+    hand.main(lambda: places.scroll_to(places.find(marks)))
+    hand.settle()
+    hand.click(hand.main(lambda: places.find(marks).viewport()), at=hand.main(mark_of, marks, lines[0].Label))
+    hand.wait(lambda: field() == [lines[0]], 20, "the checked line")
+    for button, expected in (("add", lines), ("take", lines[1:])):
+        hand.main(FreeCADGui.Selection.clearSelection)
+        hand.main(FreeCADGui.Selection.addSelection, lines[1])
+        hand.click(f"{marks}_{button}")
+        hand.wait(lambda expected=expected: field() == expected, 20, button)
+    hand.wait(lambda: "Touched" not in job.State and not problem_of(operation), 20, "the program")
+
+
+def two_lines(document: Any) -> list[Any]:
+    made = [Draft.make_line(Vector(-40, y, 0), Vector(40, y, 0)) for y in (-10, 10)]
+    document.recompute()
+    return made
+
+
+def mark_of(name: str, label: str) -> tuple[int, int]:
+    """Return the place of the mark before an entry of a list."""
+    entries = places.find(name)
+    rows = [row for row in range(entries.count()) if entries.item(row).text() == label]
+    rect = entries.visualItemRect(entries.item(rows[0]))
+    return rect.left() + 10, rect.center().y()
 
 
 def test_a_typed_value_wins_and_the_button_takes_the_charts_again(hand: Hand, document: Any) -> None:

@@ -16,8 +16,9 @@ from PySide import QtGui
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from window_helpers import screen_places as places
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
-from window_helpers.tables import put
+from window_helpers.tables import put, rows_by_buttons
 
 ROOT = Path(__file__).parents[2]
 SIGN = ROOT / "examples" / "drawings" / "sign.svg"
@@ -62,11 +63,19 @@ def put_values(text: str) -> None:
     next(box for box in boxes if box.objectName() == f"{PANEL}values").setPlainText(text)
 
 
-def tools_become(hand: Hand, language: str) -> None:
+def tools_become(hand: Hand, language: str, folder: Path) -> None:
     """Add a tool 3 of 2.5 mm to the template by its dialog; a diameter that is none is refused there."""
     hand.click("CNCStepper_Panel_template_tools")
     dialog = hand.find(TOOLS)
     page = dialog.page
+    if language == "en":
+        rows_by_buttons(hand, page, folder)
+        hand.click(f"{TOOLS}_cancel")
+        hand.wait(lambda: not hand.exists(TOOLS), 10, "the tools to be left as they were")
+        hand.click("CNCStepper_Panel_template_tools")
+        dialog = hand.find(TOOLS)
+        page = dialog.page
+        assert len(page.draft.table) == 2
     hand.click(f"{TOOLS}_add")
     put(hand, page, 2, "diameter_mm", "2,5 mm")
     hand.click(f"{TOOLS}_ok")
@@ -126,7 +135,7 @@ def test_rules_are_changed_saved_and_make_the_job(hand: Hand, language: str, tmp
     hand.choose(f"{PANEL}does", pocket)
     hand.wait(lambda: hand.exists(f"{PANEL}tool"), 10)
     hand.choose(f"{PANEL}tool", f"T1  3 mm  {flat}")
-    tools_become(hand, language)
+    tools_become(hand, language, tmp_path)
     hand.choose(f"{PANEL}tool", f"T3  2.5 mm  {flat}")
     hand.fill(f"{PANEL}depth", "5")
     hand.main(put_values, VALUES)
@@ -136,11 +145,8 @@ def test_rules_are_changed_saved_and_make_the_job(hand: Hand, language: str, tmp
     assert hand.main(cut_by_px) == 0
     hand.fill("CNCStepper_Panel_template_thickness", "10")
     hand.click("CNCStepper_Panel_template_save")
-    hand.find("CNCStepper_Template_file")
     saved = tmp_path / "oficina ç.toml"
-    hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QLineEdit, "fileNameEdit").setText(str(saved)))
-    hand.click("fileNameEdit")
-    hand.key("Return")
+    choose_file(hand, "CNCStepper_Template_file", saved)
     hand.wait(saved.exists, 10, "the template's file")
     with hand.watchdog() as watch:
         hand.button("OK")
@@ -154,11 +160,48 @@ def test_rules_are_changed_saved_and_make_the_job(hand: Hand, language: str, tmp
     hand.wait(lambda: job_of(document) is None, 10, "the job to be undone")
 
 
+def every_other_field(hand: Hand) -> None:
+    """Give a rule and the stock what they can take, and begin anew from the file."""
+    panel, row = hand.main(the_panel), hand.main(lambda: the_panel().rules.row)
+    rule = lambda: panel.draft.rules[row]  # noqa: E731
+    for key in ("layer", "name", "group"):
+        hand.fill(f"{PANEL}{key}", "cut*")
+        hand.wait(lambda key=key: rule()[key] == ["cut*"], 5, key)
+    for key, choice, value in (("closed", "no", False), ("filled", "yes", True)):
+        hand.choose(f"{PANEL}{key}", choice)
+        hand.wait(lambda key=key, value=value: rule()[key] is value, 5, key)
+    hand.click(f"{PANEL}through")
+    hand.wait(lambda: rule()["operation"]["depth_mm"] == "through", 5, "a cut through the stock")
+    stock = lambda: (panel.draft.content["stock"]["margin_mm"], panel.draft.content["material"])  # noqa: E731
+    hand.fill("CNCStepper_Panel_template_margin", "13")
+    hand.fill("CNCStepper_Panel_template_material", "mdf")
+    hand.wait(lambda: stock() == (13, "mdf"), 5, "the stock")
+    hand.click("CNCStepper_Panel_rule_down")
+    hand.wait(lambda: panel.rules.row == row + 1, 5, "the rule one lower")
+    hand.choose("CNCStepper_Panel_template_job", "Job: its operations are replaced")
+    assert hand.main(lambda: panel.job.itemData(panel.job.currentIndex()))
+    hand.click("CNCStepper_Panel_template_open")
+    choose_file(hand, "CNCStepper_Template_file", ROOT / "examples" / "templates" / "sign.toml")
+    hand.wait(lambda: stock() == (12, "plywood"), 5, "the stock of the file")
+
+
+def the_panel() -> Any:
+    """Return the panel that is open."""
+    import gc
+
+    from CNCStepper.workbench.templates.panel import TemplatePanel
+
+    return [each for each in gc.get_objects() if isinstance(each, TemplatePanel)][-1]
+
+
 def test_what_is_wrong_is_told_and_nothing_is_made(hand: Hand, tmp_path: Path) -> None:
     document = hand.main(imported, Path(shutil.copy(SIGN, tmp_path / "placa.svg")))
+    job = hand.main(api.new_job, document)
+    hand.main(lambda: (api.add_tool(job), api.add_operation(job, "face", depth_mm=1), document.recompute()))
     names = hand.main(lambda: [each.Name for each in document.Objects])
     hand.tree("placa")
     hand.command("CNCStepper_Template")
+    hand.wait(lambda: hand.exists(RULES), 20, "the panel")
     hand.choose("CNCStepper_Panel_template", WORDS["en"][0])
     hand.wait(lambda: rows()[-1][1] == "0", 40, "the contours of each rule")
     hand.item(RULES, "pocket")
@@ -168,11 +211,14 @@ def test_what_is_wrong_is_told_and_nothing_is_made(hand: Hand, tmp_path: Path) -
     hand.settle()
     assert hand.exists(RULES)
     hand.fill(f"{PANEL}depth", "5")
-    hand.main(put_values, "stepdown_mm = 1.5")
+    hand.click(f"{PANEL}values")
+    hand.key("Ctrl+A")
+    hand.type("stepdown_mm = 1.5")
     hand.wait(lambda: not hand.exists("CNCStepper_Panel_template_problem"), 10)
     hand.button("OK")
     hand.wait(lambda: "stepover" in hand.text("CNCStepper_Panel_template_problem"), 20, "the missing value")
     hand.shot("template-refused")
+    every_other_field(hand)
     hand.button("Cancel")
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 10)
     assert hand.main(lambda: [each.Name for each in document.Objects]) == names

@@ -242,7 +242,11 @@ class Hand:
         """Click through the menu bar: `hand.menu("CNCStepper", "New job")`; & and … are left out."""
         self._click_place(self._place(places.menu_bar_entry, texts[0]))
         for text in texts[1:]:
-            self._click_place(self._place(places.popup_entry, text))
+            self.entry(text)
+
+    def entry(self, text: str) -> None:
+        """Click an entry of the menu that is open; & and … are left out."""
+        self._click_place(self._place(places.popup_entry, text))
 
     def button(self, text: str) -> None:
         """Click the button with this text, in the open dialog or else anywhere in the window."""

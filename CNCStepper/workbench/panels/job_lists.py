@@ -224,9 +224,11 @@ class ToolList(ObjectList):
         menu.setObjectName(f"{self.name}_library_menu")
         for stored in library_of_job.library_tools():
             entry = menu.addAction(f"T{stored.number}  {stored.name}")
+            entry.setObjectName("stored")
             entry.triggered.connect(guarded(lambda *_, stored=stored: self.take_stored(stored)))
         menu.addSeparator()
         keep = menu.addAction(tr("Keep the marked tool"))
+        keep.setObjectName("keep")
         keep.setEnabled(self.chosen() is not None)
         keep.triggered.connect(guarded(lambda *_: self.keep()))
         menu.popup(self.library.mapToGlobal(self.library.rect().bottomLeft()))

@@ -123,10 +123,16 @@ def choose_objects(found: Sequence[Any], title: str, take: Callable[[list[Any]],
     menu = QtGui.QMenu(title, at)
     menu.setObjectName(f"{NAME}_objects")
     for each in found:
-        menu.addAction(each.Label).triggered.connect(guarded(lambda *_, each=each: take([each])))
+        _add(menu, "object", each.Label).triggered.connect(guarded(lambda *_, each=each: take([each])))
     if len(found) > 1:
         menu.addSeparator()
-        menu.addAction(tr("All of them")).triggered.connect(guarded(lambda *_: take(list(found))))
+        _add(menu, "all", tr("All of them")).triggered.connect(guarded(lambda *_: take(list(found))))
     if not found:
         menu.addAction(tr("There is nothing that fits")).setEnabled(False)
     menu.popup(at.mapToGlobal(at.rect().bottomLeft()))
+
+
+def _add(menu: Any, name: str, text: str) -> Any:
+    entry = menu.addAction(text)
+    entry.setObjectName(name)
+    return entry

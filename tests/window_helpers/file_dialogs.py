@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""File dialogs, answered with a path."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide import QtGui
+
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
+
+
+def choose_file(hand: Hand, dialog: str, path: Path) -> None:
+    """Answer the file dialog with this objectName, and wait until it is gone."""
+    hand.wait(lambda: places.visible(dialog), 20, f"{dialog} to ask")
+    line = hand.main(lambda: places.find(dialog).findChild(QtGui.QLineEdit, "fileNameEdit"))
+    hand.main(line.setText, str(path))
+    hand.click(line)
+    hand.key("Return")
+    hand.wait(lambda: not places.visible(dialog), 10, f"{dialog} to close")
