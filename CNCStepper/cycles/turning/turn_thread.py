@@ -56,7 +56,7 @@ def thread(operation: TurnThread, setup: TurningSetup, moves: TurningMoves) -> d
 
 
 def thread_warnings(operation: TurnThread, setup: TurningSetup) -> tuple[str, ...]:
-    """Return what a person should know of a thread: one cut at once, or a lead that the machine does not make exactly."""
+    """Return what a person should know of a thread: one pass for its depth, or a lead that is not made exactly."""
     cut = thread_cut(operation, setup.tool.is_inside, setup.rpm, setup.profile)
     what = "the first pass cuts the thread's whole depth of {depth:.4g} mm; lower first_depth_mm"
     at_once = (Text(what, depth=cut.depth_mm),) if cut.first_depth_mm >= cut.depth_mm else ()
