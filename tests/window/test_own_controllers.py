@@ -11,7 +11,7 @@ from typing import Any
 import FreeCAD
 import pytest
 from test_dock import D, own_sessions, says  # noqa: F401
-from test_machines import FIELD, M, click_tab, cut_off, dialog, machines, show  # noqa: F401
+from test_machines import FIELD, M, cut_off, dialog, machines, show  # noqa: F401
 
 from CNCStepper.control.program.send_job import SendJob, write_job
 from CNCStepper.machine.files.profile_files import own_folder
@@ -19,6 +19,7 @@ from CNCStepper.machine.profile import load_machine
 from window_helpers import screen_places as places
 from window_helpers.docks import opened_dock
 from window_helpers.hand import Hand
+from window_helpers.tables import click_tab
 from window_helpers.twin import Twin
 
 T = "CNCStepper_MachineTest_"
@@ -55,7 +56,8 @@ def open_test(hand: Hand, kind: str) -> Any:
     hand.wait(lambda: dialog() and dialog().isVisible(), what="the dialog")
     hand.item(f"{M}_list", PROFILES[kind])
     hand.wait(lambda: dialog().name == PROFILES[kind], what="the profile")
-    click_tab(hand, hand.main(lambda: dialog().tabs.count()) - 1)
+    tabs = hand.main(lambda: dialog().tabs)
+    click_tab(hand, tabs, hand.main(tabs.count) - 1)
     test = hand.main(lambda: dialog().test)
     hand.wait(lambda: test.bench.status is not None, 20, "the machine")
     return test
@@ -88,7 +90,7 @@ def test_a_profile_of_each_machine_is_copied_changed_and_saved(hand: Hand, machi
     hand.item(f"{M}_list", PROFILES[kind])
     hand.wait(lambda: machines.name == PROFILES[kind], what="the profile")
     for tab in range(hand.main(machines.tabs.count)):
-        click_tab(hand, tab)
+        click_tab(hand, machines.tabs, tab)
         hand.shot(f"own-{kind}-{tab}", M)
         assert not hand.main(lambda: machines.tabs.currentWidget().horizontalScrollBar().isVisible())
         assert hand.main(cut_off) == []
@@ -96,7 +98,7 @@ def test_a_profile_of_each_machine_is_copied_changed_and_saved(hand: Hand, machi
     hand.fill(f"{M}_question_name", f"my-{kind}")
     hand.click(f"{M}_question_ok")
     hand.wait(lambda: dialog().name == f"my-{kind}", what="the copy")
-    click_tab(hand, 1)
+    click_tab(hand, machines.tabs, 1)
     hand.fill(f"{FIELD}_axis_x_travel_max_mm", "123.5")
     hand.wait(lambda: machines.save_button.isEnabled(), what="a whole machine")
     hand.click(f"{M}_save")
