@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import hashlib
 import os
@@ -19,17 +20,57 @@ PACKAGE = Path(__file__).resolve().parent
 # No kernel uses them.
 ROOMS_ABOVE = {"cli", "control", "controllers", "drawing", "job", "recovery", "workbench", "workers"}
 KEPT_CACHES = 16
+CHECKOUTS = "checkouts"  # the folder in which their digests are noted
+KEPT_CHECKOUTS = 64
 VARIABLE = "NUMBA_CACHE_DIR"
 
 postponed = False  # set before kernels are imported: numba is loaded only once they take longer than that would
 
 
 def digest() -> str:
-    """Return what names exactly these sources of the kernels."""
+    """Return what names exactly these sources of the kernels, in whatever folder they lie.
+
+    To read them all takes 50 ms, which a short verb does not have: each state of a checkout is noted in the cache.
+    """
+    noted = _user_cache() / CHECKOUTS / _state_of_checkout()
+    try:
+        return noted.read_text("ascii")
+    except OSError:
+        found = _digest_of_contents()
+    with contextlib.suppress(OSError):  # a folder that cannot be written costs time alone
+        noted.parent.mkdir(parents=True, exist_ok=True)
+        _prune(noted.parent, KEPT_CHECKOUTS)
+        draft = noted.with_suffix(f".{os.getpid()}")  # other processes see all of it or nothing
+        draft.write_text(found, "ascii")
+        draft.replace(noted)
+    return found
+
+
+def _state_of_checkout() -> str:
     found = hashlib.sha256()
     for path, size, mtime_ns in sorted(_sources(str(PACKAGE), ROOMS_ABOVE)):
         found.update(f"{path}|{size}|{mtime_ns}\n".encode())
     return found.hexdigest()[:16]
+
+
+def _digest_of_contents() -> str:
+    found = hashlib.sha256()
+    for path, _, _ in sorted(_sources(str(PACKAGE), ROOMS_ABOVE)):
+        source = Path(path)
+        found.update(f"{source.relative_to(PACKAGE).as_posix()}|".encode() + source.read_bytes())
+    return found.hexdigest()[:16]
+
+
+def _user_cache() -> Path:
+    return platformdirs.user_cache_path("cncstepper", appauthor=False)
+
+
+def subfolder(file: str) -> str:
+    """Return the folder, within that of the machine code, for a module of the package; "" for any other file."""
+    package = os.path.dirname(__file__)  # as its modules are named, through a link too
+    folder = os.path.dirname(file)
+    inside = folder == package or folder.startswith(package + os.sep)
+    return f"kernels{folder.removeprefix(package)}".replace(os.sep, "-") if inside else ""
 
 
 def _sources(folder: str, left_out: Collection[str] = ()) -> Iterator[tuple[str, int, int]]:
@@ -52,7 +93,7 @@ def cache_folder(root: Path) -> Path:
     """
     folder = root / digest()
     if not folder.is_dir():
-        _prune(root)
+        _prune(root, KEPT_CACHES)
         folder.mkdir(parents=True, exist_ok=True)
     return folder
 
@@ -61,7 +102,7 @@ def cache_folder(root: Path) -> Path:
 def folder() -> Path:
     """Return the folder that this process and those that it starts use: the user's choice, or one of our own."""
     if VARIABLE not in os.environ:
-        os.environ[VARIABLE] = str(cache_folder(platformdirs.user_cache_path("cncstepper", appauthor=False)))
+        os.environ[VARIABLE] = str(cache_folder(_user_cache()))
     return Path(os.environ[VARIABLE])
 
 
@@ -86,9 +127,16 @@ def has_grown(within_s: float) -> bool:
     return time.time_ns() - newest_ns < within_s * 1e9
 
 
-def _prune(root: Path) -> None:
-    """Delete all but the newest caches; another process may be doing the same."""
-    if root.is_dir():
-        caches = sorted((path for path in root.iterdir() if path.is_dir()), key=lambda path: path.stat().st_mtime_ns)
-        for path in caches[: -KEPT_CACHES + 1]:
-            shutil.rmtree(path, ignore_errors=True)
+def _prune(root: Path, kept: int) -> None:
+    """Delete all but the newest entries, so that one more is `kept`; another process may be doing the same."""
+    entries = [path for path in root.glob("*") if path.name != CHECKOUTS]
+    for path in sorted(entries, key=_changed_ns)[: -kept + 1]:
+        shutil.rmtree(path, ignore_errors=True)
+        path.unlink(missing_ok=True)
+
+
+def _changed_ns(path: Path) -> int:
+    try:
+        return path.stat().st_mtime_ns
+    except FileNotFoundError:
+        return 0

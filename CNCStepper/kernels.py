@@ -24,11 +24,37 @@ PYTHON_S = 0.15  # of plain Python before numba is loaded, which takes twice as 
 
 LOOK_EVERY = 32  # calls of kernels by kernels, to have the time: asking for it takes as long as a small one
 
+
+def _load_numba() -> Any:
+    """Return numba, which keeps the machine code of the kernels in our folder of the user's cache."""
+    kernel_cache.folder()  # numba reads its variable when it is loaded
+    import numba
+    from numba.core import caching
+
+    if hasattr(caching, "UserProvidedCacheLocator"):  # of versions that know sources by their contents
+        caching.CacheImpl._locator_classes.insert(0, _locator(caching.UserProvidedCacheLocator))
+    return numba
+
+
+def _locator(base: Any) -> Any:
+    """Return what lets checkouts with the same sources share machine code: numba names folders by absolute paths."""
+
+    class Locator(base):  # type: ignore[misc]
+        @classmethod
+        def from_function(cls, kernel: Callable[..., Any], file: str) -> Any:
+            return super().from_function(kernel, file) if kernel_cache.subfolder(file) else None
+
+        @classmethod
+        def get_suitable_cache_subpath(cls, file: str) -> str:
+            return kernel_cache.subfolder(file)
+
+    return Locator
+
+
 numba: Any = None
 if not kernel_cache.postponed:
-    kernel_cache.folder()  # numba reads its variable when it is loaded
     try:
-        import numba
+        numba = _load_numba()
     except ImportError:  # everything still works, slowly; callers tell the user through COMPILED
         numba = None
 
@@ -116,10 +142,7 @@ def load() -> None:
     global numba
     if numba is not None:
         return
-    kernel_cache.folder()
-    import numba as loaded
-
-    numba = loaded
+    numba = _load_numba()
     kernel_cache.postponed = False
     for kernel in _Postponed.made:
         kernel.compile()

@@ -18,6 +18,7 @@ from contextlib import redirect_stdout
 from pathlib import Path
 
 import numpy as np
+import platformdirs
 import pytest
 from hypothesis import settings
 
@@ -74,14 +75,14 @@ def printed_three_ways() -> Callable[[str], list[str]]:
     """Return what a script prints with its kernels compiled, compiled with checked bounds, and as plain Python.
 
     Compiled it runs in this process, which has the kernels already. The checked ones have a cache of their own: numba
-    takes what is compiled without the checks from a shared one. It stays in the checkout: to compile the kernels takes
-    many times as long as to run them, and so they are hardly optimised.
+    takes what is compiled without the checks from a shared one. Checkouts share it: to compile the kernels takes many
+    times as long as to run them, and so they are hardly optimised.
     """
     from CNCStepper import kernels  # loads numba, which many tests inside FreeCAD must not
 
     assert kernels.COMPILED
     kernels.load()  # a verb of the command line that ran in this process may have postponed it
-    cache = kernel_cache.cache_folder(ROOT / ".cache" / "checked-kernels")
+    cache = kernel_cache.cache_folder(platformdirs.user_cache_path("cncstepper-checked", appauthor=False))
     checked = {"NUMBA_BOUNDSCHECK": "1", "NUMBA_OPT": "1", "NUMBA_CACHE_DIR": str(cache)}
 
     def compiled(script: str) -> str:

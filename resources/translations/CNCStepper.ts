@@ -18233,6 +18233,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a thread is cut towards the chuck, by a right-hand insert</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a thread is cut with a threading tool</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25693,6 +25697,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the first pass cuts the thread's whole depth of {depth:.4g} mm; lower first_depth_mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the first {0} are drawn</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28734,6 +28742,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>use a name of your own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>use a right-hand insert, ER outside or IR inside</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -18257,6 +18257,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um texto segue a forma '{shape}', que não está antes dele</translation>
         </message>
         <message>
+            <source>a thread is cut towards the chuck, by a right-hand insert</source>
+            <translation>uma rosca é cortada em direção à placa, por uma pastilha direita</translation>
+        </message>
+        <message>
             <source>a thread is cut with a threading tool</source>
             <translation>uma rosca é cortada com uma ferramenta de roscar</translation>
         </message>
@@ -25717,6 +25721,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a primeira linha de um pedido nomeia suas colunas: drawing e template, e material, thickness_mm, count</translation>
         </message>
         <message>
+            <source>the first pass cuts the thread's whole depth of {depth:.4g} mm; lower first_depth_mm</source>
+            <translation>o primeiro passe corta toda a profundidade da rosca, {depth:.4g} mm; diminua first_depth_mm</translation>
+        </message>
+        <message>
             <source>the first {0} are drawn</source>
             <translation>os primeiros {0} são desenhados</translation>
         </message>
@@ -28759,6 +28767,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>use a name of your own</source>
             <translation>use um nome próprio</translation>
+        </message>
+        <message>
+            <source>use a right-hand insert, ER outside or IR inside</source>
+            <translation>use uma pastilha direita, ER por fora ou IR por dentro</translation>
         </message>
         <message>
             <source>use a smaller kerf, or widen the web</source>

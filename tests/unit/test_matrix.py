@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import threading
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -57,7 +58,7 @@ def test_what_no_test_has_clicked_is_named(
 def test_what_cannot_be_set_up_has_failed_and_the_rest_still_runs(
     matrix: Any, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    def window(where: str, kind: str, environment: dict[str, str], log: Any) -> bool:
+    def window(where: str, kind: str, environment: dict[str, str], log: Any, tests: Any) -> bool:
         log.write(f"the words of {where} {kind}\n")
         return where != "host" or kind != "scaled"
 
@@ -94,7 +95,7 @@ def test_a_freecad_gets_the_documents_of_all_older_ones(
             given[where, "documents"] = environment["CNCSTEPPER_OLDER"]
         return True
 
-    def window(where: str, kind: str, environment: dict[str, str], log: Any) -> bool:
+    def window(where: str, kind: str, environment: dict[str, str], log: Any, tests: Any) -> bool:
         given[where, kind] = environment["CNCSTEPPER_OLDER"]
         return True
 
@@ -158,16 +159,32 @@ ERROR tests/window/test_road.py::test_a_road
 
 
 def window_that_fails(again: bool, words: str, asked: list[tuple[str, ...]]) -> Any:
-    """Return a window whose plain tests fail in 1.0.0, and once more, named, where that is wanted."""
+    """Return a window whose plain tests fail in 1.1.3, and once more, named, where that is wanted."""
 
-    def window(where: str, kind: str, environment: dict[str, str], log: Any, tests: tuple[str, ...] = ()) -> bool:
-        if (where, kind) != ("1.0.0", "plain"):
+    def window(where: str, kind: str, environment: dict[str, str], log: Any, tests: Sequence[str]) -> bool:
+        if (where, kind) != ("1.1.3", "plain"):
             return True
         asked.append(tuple(tests))
         log.write(words)
         return bool(tests) and not again
 
     return window
+
+
+def test_the_freecad_between_runs_the_road_and_the_others_all(
+    matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    asked: dict[tuple[str, str], Sequence[str]] = {}
+
+    def window(where: str, kind: str, environment: dict[str, str], log: Any, tests: Sequence[str]) -> bool:
+        asked[where, kind] = tests
+        return True
+
+    let_all_pass(matrix, monkeypatch, tmp_path)
+    monkeypatch.setattr(matrix, "window", window)
+    assert matrix.main([]) == 0
+    road = asked.pop(("1.0.0", "plain"))
+    assert road and all((ROOT / file).is_file() for file in road) and not any(asked.values())
 
 
 @pytest.mark.parametrize("again", [False, True])

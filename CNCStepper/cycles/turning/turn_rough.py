@@ -96,30 +96,31 @@ class RoughedProfile(ProfilePath):
             moves.rapid(self.front_mm, moves.r_mm)
             moves.rapid(self.front_mm, level_mm)
         else:
-            entry = self._entry(begin, level_mm, above_mm)
+            first, entry = self._entry(begin, level_mm, above_mm)
             z, r = self.path.at_length(entry)[0].tolist()
+            ramp_mm = min(above_mm + CLEAR_MM - r, float(self.path.at_length(first)[0][0]) - z)
             self.leave(above_mm + CLEAR_MM)
-            moves.rapid(z, above_mm + CLEAR_MM)
+            moves.rapid(z + ramp_mm, above_mm + CLEAR_MM)
             moves.feed(z, r)
             if begin - entry > SAME_MM:
                 moves.follow(self.path.part(entry, begin))
         moves.feed(z_end, level_mm)
 
-    def _entry(self, begin_mm: float, level_mm: float, above_mm: float) -> float:
-        """Return where the tool comes down to the path right of a valley.
+    def _entry(self, begin_mm: float, level_mm: float, above_mm: float) -> Interval:
+        """Return where the tool comes down to the path right of a valley, and from where on nothing is higher.
 
-        That is the end of the last valley of this level, which is cut; else at the level above, or on a hump below it.
+        That is at the level above, where the path crosses it; else on the hump between this valley and the last one of
+        this level, or the front. What is left on the hump's other side is thinner than a level: the last pass cuts it.
         """
         before = [length for length, _ in crossings_mm(self.path, above_mm) if length <= begin_mm + SAME_MM]
         first = before[-1] if before else 0.0
         ends = [length for length, rises in crossings_mm(self.path, level_mm) if rises and first < length < begin_mm]
-        if ends:
-            return ends[-1]
-        if before:
-            return first
+        if before and not ends:
+            return first, first
+        first = ends[-1] if ends else first
         places = np.linspace(first, begin_mm, 200)
         heights = self.path.at_length(places)[0][:, 1]
-        return float(places[len(places) - 1 - int(np.argmax(heights[::-1]))])
+        return first, float(places[len(places) - 1 - int(np.argmax(heights[::-1]))])
 
     def _words(self, deep_mm: float) -> dict[str, float]:
         """Return the words of a roughing cycle whose levels begin where the tool is: depth of cut and retract."""

@@ -13,7 +13,7 @@ from CNCStepper.cycles.turning.thread_standards import Side, ThreadForm, thread_
 from CNCStepper.cycles.turning.turning_moves import TurningMoves
 from CNCStepper.cycles.turning.turning_operation import TurnThread
 from CNCStepper.cycles.turning.turning_setup import TurningSetup
-from CNCStepper.errors import CycleError
+from CNCStepper.errors import CycleError, Text
 from CNCStepper.geometry.curve import Curve
 from CNCStepper.tolerances import SAME_MM
 
@@ -25,6 +25,10 @@ def thread(operation: TurnThread, setup: TurningSetup, moves: TurningMoves) -> d
     if setup.tool.kind != "threading":
         what, advice = "a thread is cut with a threading tool", "use another tool"
         raise CycleError("thread-tool", what, value=setup.tool.kind_words, limit="a threading tool", advice=advice)
+    if setup.tool.hand == "left":
+        what, limit = "a thread is cut towards the chuck, by a right-hand insert", "a right-hand insert"
+        advice = "use a right-hand insert, ER outside or IR inside"
+        raise CycleError("thread-hand", what, value=setup.tool.kind_words, limit=limit, advice=advice)
     cut = thread_cut(operation, setup.tool.is_inside, setup.rpm, setup.profile)
     if setup.tool.pitch_mm and abs(setup.tool.pitch_mm - cut.form.pitch_mm) > SAME_MM:
         what, value = "the insert is of another pitch than the thread", f"{setup.tool.pitch_mm:g} mm"
@@ -52,9 +56,11 @@ def thread(operation: TurnThread, setup: TurningSetup, moves: TurningMoves) -> d
 
 
 def thread_warnings(operation: TurnThread, setup: TurningSetup) -> tuple[str, ...]:
-    """Return what a person should know of a thread: a lead that the machine's timer does not make exactly."""
+    """Return what a person should know of a thread: one pass for its depth, or a lead that is not made exactly."""
     cut = thread_cut(operation, setup.tool.is_inside, setup.rpm, setup.profile)
-    return timer_warnings(cut, setup.machine) if setup.machine is not None else ()
+    what = "the first pass cuts the thread's whole depth of {depth:.4g} mm; lower first_depth_mm"
+    at_once = (Text(what, depth=cut.depth_mm),) if cut.first_depth_mm >= cut.depth_mm else ()
+    return at_once + (timer_warnings(cut, setup.machine) if setup.machine is not None else ())
 
 
 def thread_cut(operation: TurnThread, inside: bool, rpm: float, profile: Curve | None) -> ThreadCut:

@@ -47,7 +47,7 @@ class Comparison(QtGui.QDialog):
         f1_key.attach(self, GUIDE)
         self.resize(*SIZE)
         self.folder = Path(tempfile.mkdtemp(prefix="cncstepper-compare-"))
-        self.destroyed.connect(lambda folder=self.folder: shutil.rmtree(folder, ignore_errors=True))
+        self.destroyed.connect(partial(_remove, self.folder))
         self.sources = [self._source(name) for name in ("first", "second")]
         self.tolerance = QtGui.QDoubleSpinBox(self)
         self.note = note_label(f"{NAME}_error", ERROR_COLOUR, self)
@@ -300,3 +300,7 @@ def _emphasize(item: Any, differs: bool) -> None:
     font = item.font()
     font.setBold(differs)
     item.setFont(font)
+
+
+def _remove(folder: Path, *_destroyed: Any) -> None:
+    shutil.rmtree(folder, ignore_errors=True)

@@ -6,7 +6,8 @@ All of it is asked several times a second, so nothing here computes or loads.
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Iterator
+from itertools import islice
 from typing import Any
 
 from CNCStepper.workbench.document.selection import members
@@ -36,16 +37,24 @@ def selected() -> list[Any]:
 
 def jobs() -> list[Any]:
     """Return all jobs of the active document."""
-    if document() is None:
-        return []
-    return [obj for obj in document().findObjects("App::FeaturePython") if is_job(obj)]
+    return list(_each_job())
+
+
+def _each_job() -> Iterator[Any]:
+    if document() is not None:
+        yield from filter(is_job, document().findObjects("App::FeaturePython"))
 
 
 def job() -> Any:
     """Return the job that is meant, or None: the selected one, the one of a selected object, or the only one."""
-    meant = {owner.Name: owner for obj in selected() for owner in _owners(obj)}
-    found = list(meant.values()) or jobs()
+    found = _meant_jobs()
     return found[0] if len(found) == 1 else None
+
+
+def _meant_jobs() -> list[Any]:
+    """Return the jobs of what is selected, or two of the document: a second one leaves open which is meant."""
+    meant = {owner.Name: owner for obj in selected() for owner in _owners(obj)}
+    return list(meant.values()) or list(islice(_each_job(), 2))
 
 
 def imported_drawing() -> Any:
@@ -67,10 +76,9 @@ def program() -> Any:
 
 def why_no_job() -> str:
     """Return why it is not known which job is meant, "" when it is."""
-    if job() is not None:
-        return ""
-    if jobs():
-        return tr("Select the job in the tree: this document has several")
+    found = _meant_jobs()
+    if found:
+        return tr("Select the job in the tree: this document has several") if len(found) > 1 else ""
     return tr("Make a job first, with New job")
 
 

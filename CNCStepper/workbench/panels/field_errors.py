@@ -53,7 +53,9 @@ BY_CODE = {  # of errors that speak of several keys
     **dict.fromkeys(("profile-missing", "profile-chains", "profile-closed"), "drawings"),
     "bore-missing": "tool",
     **dict.fromkeys(("blade-tool", "blade-reach", "drill-tool", "drill-wide", "face-tool", "part-tool"), "tool"),
-    **dict.fromkeys(("thread-tool", "thread-insert", "profile-tool", "bore-tool", "bore-narrow"), "tool"),
+    **dict.fromkeys(
+        ("thread-tool", "thread-hand", "thread-insert", "profile-tool", "bore-tool", "bore-narrow"), "tool"
+    ),
     **dict.fromkeys(("insert-front", "insert-back", "nose-radius"), "tool"),
 }
 NOT_BETWEEN = later("must be 0, or at least {0}")

@@ -4,6 +4,9 @@
 from __future__ import annotations
 
 import os
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +25,35 @@ def test_other_sources_get_another_cache(tmp_path: Path, monkeypatch: pytest.Mon
     assert kernel_cache.cache_folder(tmp_path / "cache") == first
     source.write_text("x = 22\n", encoding="utf-8")
     assert kernel_cache.cache_folder(tmp_path / "cache") != first
+
+
+def test_checkouts_with_the_same_sources_share_a_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    found = set()
+    for name in ("one", "another one ç"):
+        (tmp_path / name / "room").mkdir(parents=True)
+        (tmp_path / name / "room" / "kernel.py").write_text("x = 1\n", encoding="utf-8")
+        monkeypatch.setattr(kernel_cache, "PACKAGE", tmp_path / name)
+        found.add(kernel_cache.cache_folder(tmp_path / "cache"))
+    (tmp_path / name / "room" / "kernel.py").rename(tmp_path / name / "kernel.py")
+    assert len(found) == 1 and kernel_cache.cache_folder(tmp_path / "cache") not in found
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(sys.platform != "linux", reason="XDG_CACHE_HOME")
+def test_a_copy_of_the_package_elsewhere_compiles_nothing_again(tmp_path: Path) -> None:
+    script = (
+        "import numpy as np; from CNCStepper.geometry.arc_length import area_of; from CNCStepper import kernel_cache;"
+        "area_of(np.zeros((3, 2)), np.zeros(3));"
+        "print(kernel_cache.PACKAGE, sum(area_of.stats.cache_hits.values()), sum(area_of.stats.cache_misses.values()))"
+    )
+    package, copy = kernel_cache.PACKAGE, tmp_path / "another one ç" / "CNCStepper"
+    shutil.copytree(package, copy, ignore=lambda _folder, names: [name for name in names if name == "__pycache__"])
+    environment = {**os.environ, "XDG_CACHE_HOME": str(tmp_path / "cache")}
+    environment.pop(kernel_cache.VARIABLE, None)  # of this process
+    for root, counts in ((package.parent, "0 1"), (copy.parent, "1 0")):
+        words = [sys.executable, "-X", "utf8", "-c", script]
+        run = subprocess.run(words, cwd=root, env=environment, capture_output=True, check=True)
+        assert run.stdout.decode("utf-8").strip() == f"{root / package.name} {counts}"
 
 
 def test_old_caches_are_pruned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -24,7 +24,7 @@ from CNCStepper.gcode.wire.encoder import prepare
 from CNCStepper.state import Start
 from helpers.gcode.fast_path_programs import PlainPrograms, Watched, outcome, refusals, seen
 
-MANY = max(20, int(os.environ.get("CNCSTEPPER_CASES", "0")) // 8)  # seeds a dialect
+MANY = max(6, int(os.environ.get("CNCSTEPPER_CASES", "0")) // 8)  # seeds a dialect
 TESTS = Path(__file__).parents[3]
 PLACED = Start(position_mm=(1.0, -2.0, 30.0), work_offsets_mm={"G54": (10.1, 20.2, -3.3)}, zero_known=True)
 SENT = set("0123456789+-. \tGNXYZIJKRFgnxyzijkrf()")

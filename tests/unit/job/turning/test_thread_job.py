@@ -136,3 +136,14 @@ def test_what_cannot_be_is_refused_with_what_would_do(controller, operation, cod
     with pytest.raises(CNCStepperError) as refusal:
         make_turning(job_of(CYLINDER, operation), machine_of(controller))
     assert refusal.value.code == code and words in str(refusal.value)
+
+
+def test_a_left_hand_insert_is_refused_and_one_pass_for_the_whole_depth_is_told():
+    job = job_of(CYLINDER, THREAD.replace("0.3", "5") + ", length_mm = 40")
+    (program,) = make_turning(job, machine_of(INDEX))
+    (warning,) = (each for each in program.answers[0].warnings if "whole depth" in each)
+    assert "0.9062 mm" in warning and "first_depth_mm" in warning
+    tool = job.tool[0].model_copy(update={"hand": "left"})
+    with pytest.raises(CNCStepperError) as refusal:
+        make_turning(job.model_copy(update={"tool": (tool,)}), machine_of(INDEX))
+    assert refusal.value.code == "thread-hand" and "ER outside" in str(refusal.value)
