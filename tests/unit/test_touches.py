@@ -20,3 +20,5 @@ def test_what_another_kind_of_window_touched_is_not_left(tmp_path: Path) -> None
 def test_the_rows_of_a_table_are_one_field() -> None:
     assert touches.general("CNCStepper_Machine_axes_1_name") == touches.general("CNCStepper_Machine_axes_0_name")
     assert touches.general("CNCStepper_Dock_Step1") != touches.general("CNCStepper_Dock_Step2")
+    assert touches.general("CNCStepper_Dock_Relay_lights") == touches.general("CNCStepper_Dock_Relay_flood")
+    assert touches.general("CNCStepper_Machine_relay_0_device") == "CNCStepper_Machine_relay_#_device"

@@ -65,7 +65,7 @@ def test_a_hold_finds_the_place_and_a_line_that_is_not_cut_is_refused_in_words(h
     says(hand, "Held")
     told(hand, "The tool is on line")
     hand.shot("dock-back-held")
-    hand.main(hand.find(f"{D}BackLine").setValue, 99_999)
+    hand.fill(f"{D}BackLine", "99999")
     hand.click(f"{D}BackToLine")
     told(hand, "No move of line 99999 lies on the way back")
     assert "Refused: No move of line 99999" in hand.text(f"{D}Messages")

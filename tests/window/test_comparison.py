@@ -110,3 +110,9 @@ def test_two_files_are_the_same_and_a_bad_one_is_refused(hand: Hand, window: Any
     choose_file(hand, "second", tmp_path / "bad.nc")
     assert compare(hand, window) is answer
     assert "bad.nc" in hand.text(f"{C}_error")
+    choose_file(hand, "first", tmp_path / "bad.nc")
+    for which, name in (("first", "a.nc"), ("second", "b.nc")):
+        hand.choose(f"{C}_{which}", name)
+    assert compare(hand, window)["same"]
+    hand.item(f"{C}_figures", hand.main(lambda: window.figures.item(1, 0).text()))
+    assert hand.main(window.figures.currentRow) == 1

@@ -160,12 +160,20 @@ def test_a_typed_value_wins_and_the_button_takes_the_charts_again(hand: Hand, do
     hand.main(lambda: places.scroll_to(places.find(P + "cut_feed_mm_min")))
     hand.settle()
     hand.fill(P + "cut_feed_mm_min", "1234")
-    hand.wait(lambda: "F1234" in api.program_text(job), 20, "the feed in the program")
+    hand.wait(lambda: "Touched" not in job.State and "F1234" in api.program_text(job), 20, "the feed in the program")
     hand.shot("job-own-feed")
     hand.click(P + "cut_feed_mm_min_reset")
     hand.wait(lambda: float(job.CutFeed) == 0 and "Touched" not in job.State, 20, "the chart's feed")
     assert hand.main(api.program_text, job) == before
     hand.wait(lambda: not places.visible(P + "cut_feed_mm_min_reset"), what="the button to go")
+    for key in sorted(SHOWN["plasma"] - {"feed_mm_min", "consumable"}):
+        field, reset = f"{P}cut_{key}", f"{P}cut_{key}_reset"
+        of_chart = hand.text(field)
+        hand.fill(field, "2.5")
+        hand.wait(lambda reset=reset: places.visible(reset), 20, reset)
+        hand.click(reset)
+        hand.wait(lambda reset=reset: not places.visible(reset), 20, f"{reset} to go")
+        hand.wait(lambda field=field, of_chart=of_chart: hand.text(field) == of_chart, 20, of_chart)
 
 
 def test_a_machine_brings_a_process_and_a_material(hand: Hand, document: Any) -> None:

@@ -3,7 +3,8 @@
 
 Every click notes the widgets of ours that are on the screen and the one under the pointer, by objectName; of a command
 it is the name, whether the click was on its tool button or in a menu, of another entry of a menu of ours the text.
-Numbers of rows are left out of names: the fields of a table's second row are those of its first.
+Numbers of rows are left out of names: the fields of a table's second row are those of its first. So are the names that
+a profile gives to relays: their buttons are one kind of button.
 
 Each run writes one file beside its pictures, `build/window/VERSION[-KIND]/touches.json`. A run of named tests adds to
 the file that is there. This script prints what nobody touched, over all kinds of one version but those that click at
@@ -27,11 +28,11 @@ FILE = "touches.json"
 PICTURES = Path(__file__).resolve().parents[2] / "build" / "window"
 KINDS = ("QAbstractButton", "QLineEdit", "QAbstractSpinBox", "QComboBox", "QAbstractItemView", "QAbstractSlider")
 KINDS += ("QPlainTextEdit", "QTextEdit", "QTabWidget")
-ROW = re.compile(r"(?<=_)\d+(?=_|$)")
+ROW = re.compile(r"(?<=_)\d+(?=_|$)|(?<=_Dock_Relay_)\w+$|(?<=_MachineTest_relay_)\w+$")
 
 
 def general(name: str) -> str:
-    """Return a widget's name without the numbers of rows."""
+    """Return a widget's name without the numbers of rows and the names of relays."""
     return ROW.sub("#", name)
 
 
