@@ -112,7 +112,8 @@ make_venv() {
     fi
     rm -f "$stamp"
     say "installing the Python packages into .venv (the first time takes a minute or two)"
-    PIP_DISABLE_PIP_VERSION_CHECK=1 .venv/bin/python -m pip install --quiet \
+    # Python compiles what is used at its first import: that is a part of what comes.
+    PIP_DISABLE_PIP_VERSION_CHECK=1 .venv/bin/python -m pip install --quiet --no-compile \
         --constraint CNCStepper/constraints.txt --editable '.[fast,dev]' >&2 ||
         fail "pip could not install the packages that pyproject.toml names: check the network and run make again"
     make_locale

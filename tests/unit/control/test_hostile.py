@@ -222,11 +222,12 @@ STATES = {  # of the sender: how it comes there, and what the job and the contro
 }
 THEN = ("obeys", "deaf", "runs-on", "never-slower", "statuses", "ok", "noise", "long-number")
 QUICK_STOPS = {("preflight", "obeys")}
+PAIRS = 1 if "CNCSTEPPER_FAULT_RUNS" in os.environ else 2  # `make soak` tries all, else each state meets half of them
 EACH_STOP = [
     pytest.param(state, then, marks=() if (state, then) in QUICK_STOPS else pytest.mark.slow)
-    for state in STATES
-    for then in THEN
-    if state not in ("greeting",) or then in ("deaf", "statuses", "noise")
+    for row, state in enumerate(STATES, 1)
+    for column, then in enumerate(THEN)
+    if (state != "greeting" or then in ("deaf", "statuses", "noise")) and (row + column) % PAIRS == 0
 ]
 
 
