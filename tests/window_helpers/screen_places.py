@@ -76,7 +76,7 @@ class Pressed(QtCore.QObject):
 
 
 def all_is_selected(target: Any) -> bool:
-    """Tell whether all of a field's line is selected, of a number with a unit at least the number; no line: yes.
+    """Tell whether all of a field's line is selected, of a number with words beside it the number; no line: yes.
 
     Qt forgets which keys are held when the X server tells it of a new key, as after the first € of a test. Qt itself
     is asked what the field is: PySide2 may hand out a wrapper of another class.
@@ -86,7 +86,7 @@ def all_is_selected(target: Any) -> bool:
     if line is None:
         return True
     selected, whole = str(line.property("selectedText")), str(line.property("text"))
-    number_is_selected = bool(selected) and whole.startswith(selected) and not re.search(r"\d", whole[len(selected) :])
+    number_is_selected = bool(selected) and not re.search(r"\d", whole.replace(selected, "", 1))
     return selected == whole or (line is not widget and number_is_selected)
 
 
