@@ -69,8 +69,8 @@ def test_what_cannot_be_set_up_has_failed_and_the_rest_still_runs(
     said = capsys.readouterr().out
     lines = {line.split()[0]: line for line in said.splitlines() if line[:1].isdigit()}
     assert lines["1.0.0"].count("NOT SET UP") == 8
-    assert lines["0.20.2"].count("passed") == 7 and lines["0.20.2"].count("FAILED") == 1
-    assert lines["1.1.3"].count("passed") == 8
+    assert lines["0.20.2"].count("passed") == 8 and lines["0.20.2"].count("FAILED") == 1
+    assert lines["1.1.3"].count("passed") == 9
     assert "0.20.2: scaled FAILED =====\nthe words of host scaled\n" in said
     assert matrix.main(["1.1.3"]) == 0
 
@@ -128,7 +128,7 @@ def test_what_waits_for_another_run_begins_after_its_end(matrix: Any) -> None:
         ended.append(key)
 
     matrix.run_in_lanes(runs, run, lanes=2)
-    assert sorted(begun) == sorted(runs) and len(begun) == 3 * (1 + len(matrix.NAMES))
+    assert sorted(begun) == sorted(runs) and len(begun) == 3 * (1 + len(matrix.NAMES)) - 1
     assert ("1.0.0", "timed") in runs["1.1.3", "timed"] and ("0.20.2", "documents") in runs["1.0.0", "documents"]
     assert runs["1.1.3", "headless"] == (("1.1.3", "set up"),)
 
@@ -166,25 +166,30 @@ def window_that_fails(again: bool, words: str, asked: list[tuple[str, ...]]) -> 
             return True
         asked.append(tuple(tests))
         log.write(words)
-        return bool(tests) and not again
+        return "::" in tests[0] and not again
 
     return window
 
 
-def test_the_freecad_between_runs_the_road_and_the_others_all(
-    matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+def test_the_road_and_the_rest_are_all_files_and_the_freecad_between_runs_the_road(matrix: Any) -> None:
+    road, rest = matrix.chosen_files("plain"), matrix.chosen_files("rest")
+    every = [f"tests/window/{path.name}" for path in (ROOT / "tests" / "window").glob("test_*.py")]
+    assert road and sorted([*road, *rest]) == sorted(every) and not matrix.chosen_files("bare")
+    assert ("1.0.0", "plain") in matrix.follows(list(matrix.VERSIONS))
+    assert ("1.0.0", "rest") not in matrix.follows(list(matrix.VERSIONS))
+
+
+def test_what_would_not_end_in_time_is_left_out_and_named(
+    matrix: Any, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    asked: dict[tuple[str, str], Sequence[str]] = {}
-
-    def window(where: str, kind: str, environment: dict[str, str], log: Any, tests: Sequence[str]) -> bool:
-        asked[where, kind] = tests
-        return True
-
     let_all_pass(matrix, monkeypatch, tmp_path)
-    monkeypatch.setattr(matrix, "window", window)
+    monkeypatch.setattr(matrix, "UNTIL_S", 0.0)
     assert matrix.main([]) == 0
-    road = asked.pop(("1.0.0", "plain"))
-    assert road and all((ROOT / file).is_file() for file in road) and not any(asked.values())
+    said = capsys.readouterr().out
+    lines = {line.split()[0]: line for line in said.splitlines() if line[:1].isdigit()}
+    assert lines["0.20.2"].count("LEFT OUT") == 5 and lines["0.20.2"].count("passed") == 4
+    assert lines["1.0.0"].count("LEFT OUT") == 4 and "FreeCAD 1.1.3: rest is left out" in said
+    assert "without a click" not in said
 
 
 @pytest.mark.parametrize("again", [False, True])
@@ -196,7 +201,7 @@ def test_what_failed_beside_another_window_runs_once_more_alone(
     monkeypatch.setattr(matrix, "window", window_that_fails(again, SUMMARY, asked))
     assert matrix.main([]) == int(again)
     named = ("tests/window/test_panels.py::test_bad_values[5 kg]", "tests/window/test_road.py::test_a_road")
-    assert asked == [(), named]
+    assert asked == [tuple(matrix.chosen_files("plain")), named]
 
 
 def test_a_freecad_that_crashed_has_failed_for_good(
@@ -207,4 +212,4 @@ def test_a_freecad_that_crashed_has_failed_for_good(
     words = f"{SUMMARY}window: FreeCAD ended with exit status -11\n"
     monkeypatch.setattr(matrix, "window", window_that_fails(False, words, asked))
     assert matrix.main([]) == 1
-    assert asked == [()]
+    assert asked == [tuple(matrix.chosen_files("plain"))]

@@ -18,6 +18,7 @@ RENAMED = {  # languages and style sheets, by the FreeCAD that renamed them
 
 KINDS: dict[str, dict[str, str]] = {
     "plain": {},
+    "rest": {},  # what `make matrix` runs apart of the plain kind: all but the road
     "scaled": {"QT_SCALE_FACTOR": "2"},
     "portuguese": {LANGUAGE: "Portuguese, Brazilian"},
     "bare": {WITHOUT: "numba serial shapely"},
@@ -27,5 +28,5 @@ KINDS: dict[str, dict[str, str]] = {
     "dark": {STYLE_SHEET: DARK},  # the tests of the plain kind in a dark theme, for their pictures
     "monkey": {},
 }
-AS_PLAIN = ("dark",)  # kinds that run the tests of the plain one
+AS_PLAIN = ("dark", "rest")  # kinds that run the tests of the plain one
 ON_DEMAND = ("dark", "monkey")  # kinds whose pictures are looked at, or that take hours: `make matrix` leaves them out
