@@ -22,6 +22,7 @@ REASONS = {
     "control/pulses/parallel_port": "the device of a parallel port; it is no file",
     "control/pulses/pulse_ring": "memory that two processes share, of a file that loses its name at once",
     "atomic_file": "the one writer",
+    "kernel_cache": "the user's own cache, below every other room; moved there as a whole",
     "cli/machine/console": "the line history of the user's own state folder, by readline",
     "control/journal/writer": "O_EXCL; a journal grows line by line and is never replaced",
     "control/session/detached_process": "O_EXCL; a log that grows",

@@ -19,14 +19,19 @@ from window_helpers.hand import Hand
 pytestmark = pytest.mark.window("timed")
 
 START_LIMIT_MS = 30
+OTHERS_SHARE = 1.5  # of what ten modules of Python's own take, where loading modules takes longer than usual
 OPEN_LIMIT_MS = 1000
 
 
 def test_freecad_starts_less_than_30_ms_later(hand: Hand) -> None:
     init, init_gui = FreeCAD.__cncstepper_init__, FreeCAD.__cncstepper_init_gui__
     passed_ms, used_ms = (1e3 * (init[n] + init_gui[n]) for n in (0, 1))
-    print(f"Init.py and InitGui.py take {passed_ms:.1f} ms, {used_ms:.1f} ms of processor time")
-    assert used_ms < START_LIMIT_MS
+    others_ms = 1e3 * FreeCAD.__cncstepper_others__
+    print(
+        f"Init.py and InitGui.py take {passed_ms:.1f} ms, {used_ms:.1f} ms of processor time; "
+        f"ten modules of Python's own {others_ms:.1f} ms"
+    )
+    assert used_ms < max(START_LIMIT_MS, OTHERS_SHARE * others_ms)
 
 
 def test_the_workbench_opens_in_less_than_a_second(hand: Hand) -> None:
