@@ -19,7 +19,7 @@ from window_helpers.hand import Hand
 pytestmark = pytest.mark.window("timed")
 
 START_LIMIT_MS = 30
-OTHERS_SHARE = 1.5  # of what ten modules of Python's own take, where loading modules takes longer than usual
+USUAL_OTHERS_MS = 16.5  # of ten modules of Python's own; where they take longer, ours do as much
 OPEN_LIMIT_MS = 1000
 
 
@@ -31,7 +31,7 @@ def test_freecad_starts_less_than_30_ms_later(hand: Hand) -> None:
         f"Init.py and InitGui.py take {passed_ms:.1f} ms, {used_ms:.1f} ms of processor time; "
         f"ten modules of Python's own {others_ms:.1f} ms"
     )
-    assert used_ms < max(START_LIMIT_MS, OTHERS_SHARE * others_ms)
+    assert used_ms < START_LIMIT_MS * max(1.0, others_ms / USUAL_OTHERS_MS)
 
 
 def test_the_workbench_opens_in_less_than_a_second(hand: Hand) -> None:

@@ -15,7 +15,7 @@ with open(path, encoding="utf-8") as file:
     exec(compile(file.read(), path, "exec"))
 FreeCAD.__cncstepper_init__ = time.perf_counter() - begun[0], time.thread_time() - begun[1]
 
-# What loading modules costs here: a slow machine, or a FreeCAD with many folders to look through, takes longer for ours.
+# What loading modules costs here: on a slow machine, and with many folders to look through, ours take longer too.
 OTHERS = ("colorsys", "graphlib", "netrc", "plistlib", "pyclbr", "rlcompleter", "sched", "tabnanny", "wave", "zipapp")
 begun_s = time.thread_time()
 for name in OTHERS:
