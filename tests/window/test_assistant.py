@@ -228,7 +228,7 @@ def stops_on_the_way(hand: Hand) -> None:
     """Move the second axis, and stop it before it is there."""
     go_to(hand, 4, "Measure")
     hand.choose(f"{A}_axis", "Y")
-    assert hand.text(f"{A}_steps").startswith("Y: ")
+    hand.wait(lambda: hand.text(f"{A}_steps_per_mm").startswith("Y: "), 10, "the axis")
     hand.wait(lambda: not dialog().bench.why_not(), 20, "the machine")
     hand.click(f"{A}_move")
     hand.wait(lambda: dialog().bench.status.mpos_mm[1] > 0.5, 10, "it moves")

@@ -78,7 +78,7 @@ class MeasurePage(Page):
             self.present.setText(tr("{0}: {1:g} steps per mm").format(axis.upper(), steps))
 
     def _arrange(self) -> None:
-        self.present = label("steps")
+        self.present = label("steps_per_mm")
         self.present.setWordWrap(False)
         form = (
             row(label("", tr("Axis")), self.axis, self.present),
