@@ -47,7 +47,6 @@ ROAD = (
     "lathe_sending",
     "panels",
     "preferences",
-    "restart_dock",
     "road",
 )
 SET_UP, DOCUMENTS, HEADLESS, TIMED, EMPTY_HOME = "set up", "documents", "headless", "timed", "empty home"

@@ -342,7 +342,7 @@ def test_a_drawing_is_chosen_taken_and_let_go(hand: Hand, bench: Bench) -> None:
     assert offered == ["by numbers", "Sketch"]
     hand.choose(box, "Sketch")
     hand.wait(lambda: bench.pocket.RadiusX.Value == pytest.approx(30))
-    assert hand.text("CNCStepper_Panel_radius_x_mm") == "30.00 mm"
+    hand.wait(lambda: hand.text("CNCStepper_Panel_radius_x_mm") == "30.00 mm", 10, "the drawing's radius")
     assert not hand.main(lambda: hand_box("CNCStepper_Panel_radius_x_mm").isEnabled())
     hand.shot("panel-pocket-drawing")
     hand.choose(box, "by numbers")
