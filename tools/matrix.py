@@ -54,15 +54,9 @@ REST = "rest"
 KINDS = ("plain", REST, "scaled", "portuguese", "bare", TIMED)
 NAMES = (DOCUMENTS, HEADLESS, EMPTY_HOME, *KINDS)  # the table's columns
 DOCUMENT_TESTS = str(ROOT / "tests" / "freecad" / "test_documents.py")
-SECONDS = {
-    "plain": 180,
-    REST: 300,
-    HEADLESS: 120,
-    "scaled": 100,
-    EMPTY_HOME: 70,
-    SET_UP: 60,
-}  # about; the longest begin first
-OTHERS_S = 40  # what takes longest begins first
+# About; what takes longest begins first.
+SECONDS = {"plain": 180, REST: 300, HEADLESS: 120, "scaled": 100, EMPTY_HOME: 70, SET_UP: 60}
+OTHERS_S = 40
 AGAIN = ", alone"  # how what failed runs once more
 HEADLESS_LIMIT_S = 1800  # the kernels are compiled in that time, too
 LANES = min(4, 3 * (os.cpu_count() or 1) // 2)  # runs at a time

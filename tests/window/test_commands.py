@@ -19,7 +19,6 @@ from CNCStepper.workbench import api, packages
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.services import missing_packages
 from window_helpers.hand import Hand
-from window_helpers.processor import slowness
 
 LABELS = {
     "CNCStepper_NewJob": "New job",
@@ -466,6 +465,5 @@ def test_asking_whether_a_command_can_work_takes_no_time(hand: Hand) -> None:
     hand.main(lambda: [new_job(document) for _ in range(10)])
     hand.main(lambda: [document.addObject("App::FeaturePython", "Other") for _ in range(300)])
     took_ms = [hand.main(asked_ms) for _ in range(20)]  # one that nothing on the same core slowed is among them
-    slow = slowness()
-    print(f"asked in {min(took_ms):.1f} ms, {slow:.1f} times slow", flush=True)
-    assert min(took_ms) < 10 * slow
+    print(f"asked in {min(took_ms):.1f} ms", flush=True)
+    assert min(took_ms) < 10

@@ -19,7 +19,9 @@ from window_helpers.hand import Hand
 pytestmark = pytest.mark.window("timed")
 
 START_LIMIT_MS = 30
-USUAL_OTHERS_MS = 16.5  # of ten modules of Python's own; where they take longer, ours do as much
+# Of ten modules of Python's own: where they take longer, ours do as much (1.1 to 1.4 times theirs, 2026-11-29). Chosen,
+# so that ours may take 1.8 times theirs; no machine is known on which it was measured.
+USUAL_OTHERS_MS = 16.5
 OPEN_LIMIT_MS = 1000
 
 
