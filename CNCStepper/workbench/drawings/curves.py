@@ -78,6 +78,8 @@ def _gap(point: np.ndarray, piece: Curve) -> float:
 
 def _one(pieces: list[Curve]) -> Curve:
     """Return touching pieces as one curve; ends that differ by less than FreeCAD's own measure become one."""
+    if len(pieces) == 1:
+        return pieces[0]
     xy = np.vstack([pieces[0].xy[:1], *(piece.xy[1:] for piece in pieces)])
     return Curve(xy, np.concatenate([piece.bulge for piece in pieces]))
 

@@ -122,7 +122,7 @@ def _looked_for(drawing: Any, names: tuple[str, ...]) -> list[_Chain]:
 
 def _doubled(curves: Sequence[Curve]) -> dict[int, int]:
     """Return which curves are drawn along another one all their way, and along which, by their numbers."""
-    reach_mm = np.array([SAME_CURVE_MM + np.abs(curve.bulge).max(initial=0.0) * curve.length_mm for curve in curves])
+    reach_mm = np.array([SAME_CURVE_MM + _highest_arc_mm(curve) for curve in curves])
     low = np.array([curve.xy.min(axis=0) for curve in curves]).reshape(-1, 2)
     high = np.array([curve.xy.max(axis=0) for curve in curves]).reshape(-1, 2)
     found: dict[int, int] = {}
@@ -139,9 +139,17 @@ def _doubled(curves: Sequence[Curve]) -> dict[int, int]:
     return dict(sorted(found.items()))
 
 
+def _highest_arc_mm(curve: Curve) -> float:
+    """Return how far at most the arcs of a curve reach beyond the box of its vertices."""
+    chords_mm = np.hypot(*np.diff(curve.xy, axis=0).T)
+    return float((np.abs(curve.bulge) * chords_mm).max()) / 2.0
+
+
 def _lies_on(one: Curve, other: Curve) -> bool:
     """Return whether a curve is drawn along another one all its way; a closed one is then the same as that."""
     if one.closed and (not other.closed or abs(one.length_mm - other.length_mm) > SAME_CURVE_MM):
+        return False
+    if other.distances_mm(one.xy[:1])[0] >= SAME_CURVE_MM:  # so it is of nearly all: the window waits for this
         return False
     places, _ = one.at_length((np.arange(SAMPLES) + 0.5) * one.length_mm / SAMPLES)
     return bool(np.all(other.distances_mm(np.vstack([places, one.xy])) < SAME_CURVE_MM))
