@@ -193,9 +193,13 @@ class Editor(QtGui.QWidget):
         for field in self.form.fields.values():
             field.show_work(self.waiting and field.entry.key in tried)
         if self.waiting:
-            process().ask(self, CutRequest(look.unknown, self._show_stage, guarded(self._take_answer)))
+            process().ask(self, CutRequest(look.unknown, self._show_stage, self._answered))
         else:
             process().forget(self)
+
+    def _answered(self) -> None:
+        """Let the keys that wait go first: reading a long answer takes a while, and so does applying it."""
+        QtCore.QTimer.singleShot(0, guarded(self._take_answer))
 
     def _take_answer(self) -> None:
         """Apply what stands here now, of which the process may have made all, or ask for the rest."""

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import json
 from concurrent.futures import Future
 from typing import Any
 
@@ -13,6 +12,7 @@ from CNCStepper import text_json
 from CNCStepper.control.processes.python_finder import PROOF, command, find_python_in_background
 from CNCStepper.control.session.status import error_from_json
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.job.request_digest import text_of
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.background_process import Worker, start_worker
 
@@ -81,7 +81,7 @@ class RequestQueue(QtCore.QObject):
     def _send(self) -> None:
         assert self._process is not None
         for question in self._waiting:
-            self._process.write(json.dumps(question).encode("ascii") + b"\n")
+            self._process.write(text_of(question).encode("ascii") + b"\n")
         self._waiting.clear()
 
     def _on_message(self) -> None:
