@@ -45,6 +45,35 @@ MANUALS = (packages.ROOT / "resources" / "manual", packages.ROOT / "build" / "ma
 WHOLE_MANUAL = later("[The whole manual]({0}) opens in the browser.")
 
 
+class Page(QtGui.QTextBrowser):
+    """The text of a page, with pictures no wider than it is."""
+
+    def __init__(self, parent: Any):
+        super().__init__(parent)
+        self._shown: Any = None  # the document of the page; the empty one of the beginning is Qt's own
+
+    def show_markdown(self, text: str) -> None:
+        """Show another page; what is shown already Qt would lay out anew with each of the new lines, for 0.4 s."""
+        before, document = self._shown, QtGui.QTextDocument(self)
+        document.setUndoRedoEnabled(False)
+        document.setDefaultFont(self.font())
+        document.setMarkdown(text)
+        self.setDocument(document)
+        self._shown = document
+        if before is not None:
+            before.deleteLater()
+
+    def loadResource(self, kind: int, url: Any) -> Any:
+        """Return a picture as wide as it is shown; all else as Qt does."""
+        if kind != QtGui.QTextDocument.ResourceType.ImageResource or not url.isLocalFile():
+            return super().loadResource(kind, url)
+        picture, widest_px = QtGui.QImage(url.toLocalFile()), round(PICTURE_PX * self.devicePixelRatioF())
+        if picture.width() > widest_px:
+            picture = picture.scaledToWidth(widest_px, QtCore.Qt.TransformationMode.SmoothTransformation)
+            picture.setDevicePixelRatio(self.devicePixelRatioF())
+        return picture
+
+
 class HelpWindow(QtGui.QDialog):
     """See the module; `address` and `key` are what is shown, `trail` what was shown before."""
 
@@ -56,7 +85,7 @@ class HelpWindow(QtGui.QDialog):
         self.address, self.key = "", ""
         self.trail: list[tuple[str, str]] = []
         self.ahead: list[tuple[str, str]] = []
-        self.browser = QtGui.QTextBrowser(self)
+        self.browser = Page(self)
         self.browser.setObjectName(f"{NAME}_text")
         self.browser.setOpenLinks(False)
         self.browser.anchorClicked.connect(guarded(self._follow))
@@ -114,8 +143,7 @@ class HelpWindow(QtGui.QDialog):
     def _render(self, address: str, key: str) -> None:
         if address != self.address:
             text, folder = page(address)
-            self.browser.setMarkdown(with_whole_addresses(text, folder))
-            _shrink_pictures(self.browser.document())
+            self.browser.show_markdown(with_whole_addresses(text, folder))
         self.address, self.key = address, key
         self.back.setEnabled(bool(self.trail))
         self.forward.setEnabled(bool(self.ahead))
@@ -230,28 +258,3 @@ def _heading(document: Any, key: str) -> Any:
             return heading
         block = block.next()
     return document.begin()
-
-
-def _shrink_pictures(document: Any) -> None:
-    """Show no picture wider than a page."""
-    block = document.begin()
-    while block.isValid():
-        parts = block.begin()
-        while not parts.atEnd():
-            _shrink(document, parts.fragment())
-            parts += 1
-        block = block.next()
-
-
-def _shrink(document: Any, fragment: Any) -> None:
-    image = fragment.charFormat().toImageFormat()
-    if not image.isValid():
-        return
-    reader = QtGui.QImageReader(QtCore.QUrl(image.name()).toLocalFile())
-    if reader.size().width() > PICTURE_PX:
-        image.setWidth(PICTURE_PX)
-        image.setHeight(PICTURE_PX * reader.size().height() / reader.size().width())
-        cursor = QtGui.QTextCursor(document)
-        cursor.setPosition(fragment.position())
-        cursor.setPosition(fragment.position() + fragment.length(), QtGui.QTextCursor.MoveMode.KeepAnchor)
-        cursor.setCharFormat(image)
