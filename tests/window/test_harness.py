@@ -167,3 +167,18 @@ def test_the_watchdog_sees_a_blocked_window(hand: Hand) -> None:
     assert 110 < watch.max_ms < 400
     assert watch.max_cpu_ms < 60
     assert "sleep" in watch.where or "task()" in watch.where
+
+
+def test_the_watchdog_counts_work_as_a_processor_of_usual_speed_does(hand: Hand) -> None:
+    with hand.watchdog() as watch:
+        used_ms = hand.main(work_for_ms, 120.0)
+    assert watch.slowness >= 1.0
+    assert 0.9 * used_ms < watch.max_cpu_ms * watch.slowness < 1.5 * used_ms, watch
+
+
+def work_for_ms(wanted_ms: float) -> float:
+    """Work until so much processor time has passed, and return how much it was."""
+    begun_s = time.thread_time()
+    while (used_ms := 1000 * (time.thread_time() - begun_s)) < wanted_ms:
+        sum(range(1000))
+    return used_ms

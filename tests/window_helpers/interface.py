@@ -15,6 +15,8 @@ from typing import Any
 
 from PySide import QtCore
 
+from window_helpers.processor_speed import slowness
+
 CALL_LIMIT_S = 30.0
 TICK_MS = 2
 
@@ -116,17 +118,20 @@ class Watchdog:
     `max_waited_ms` the longest that it waited there for something else than a free core: a lock, a file, another
     process. `where` is what it was doing in the longest one, `where_cpu` in the one that used most. `max_python_ms` is
     the most processor time between two ticks in which Python was seen at work; the rest is Qt's and FreeCAD's own,
-    such as painting a large panel.
+    such as painting a large panel. Processor times count as on the machine on which the limits were set: at the end
+    they are divided by `slowness`.
     """
 
     def __init__(self, interface: Interface) -> None:
         self._interface = interface
         self.max_ms = self.max_cpu_ms = self.max_waited_ms = self.max_python_ms = 0.0
+        self.slowness = 1.0
         self._saw_python = False  # since the last tick
         self.where = self.where_cpu = ""
         self._stack = ""  # seen since the last tick
 
     def __enter__(self) -> Watchdog:
+        self._slow_before = self._interface.call(slowness)
         self._interface.call(self._start)
         self._ended = threading.Event()
         self._looker = threading.Thread(target=self._look, daemon=True)
@@ -137,6 +142,8 @@ class Watchdog:
         self._ended.set()
         self._looker.join()
         self._interface.call(self._stop)
+        self.slowness = (self._slow_before + self._interface.call(slowness)) / 2.0
+        self.max_cpu_ms, self.max_python_ms = self.max_cpu_ms / self.slowness, self.max_python_ms / self.slowness
 
     def _start(self) -> None:
         self._thread = threading.get_native_id()
@@ -183,6 +190,7 @@ class Watchdog:
         return (
             f"longest block {self.max_ms:.0f} ms ({self.max_cpu_ms:.0f} ms of its own work, "
             f"{self.max_python_ms:.0f} ms "
-            f"with Python in it, {self.max_waited_ms:.0f} ms of waiting) in\n{self.where}\n"
+            f"with Python in it, on a processor {self.slowness:.1f} times as slow as usual; "
+            f"{self.max_waited_ms:.0f} ms of waiting) in\n{self.where}\n"
             f"the most of its own work in\n{self.where_cpu}"
         )
