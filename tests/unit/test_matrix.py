@@ -192,6 +192,13 @@ def test_what_would_not_end_in_time_is_left_out_and_named(
     assert "without a click" not in said
 
 
+def test_how_long_a_run_takes_is_estimated_from_those_that_have_ended(matrix: Any) -> None:
+    row = matrix.Row("0.20.2")
+    assert row.lasts_s("rest") == matrix.SECONDS["rest"]
+    row.results = {"documents": (True, 10.0), "headless": (True, 330.0), "plain": (True, 980.0)}  # about thrice as long
+    assert row.lasts_s("rest") == pytest.approx(3 * matrix.SECONDS["rest"], rel=0.2)
+
+
 @pytest.mark.parametrize("again", [False, True])
 def test_what_failed_beside_another_window_runs_once_more_alone(
     matrix: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, again: bool
