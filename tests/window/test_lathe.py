@@ -26,6 +26,8 @@ from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 from window_helpers.task_panels import PANEL, accept, begin
 
+SMALL_SCREEN = (1280, 690)  # pixels: 1280 × 720 with the window's frame
+
 
 def the(kind: str) -> Any:
     (found,) = [obj for obj in FreeCAD.ActiveDocument.Objects if proxy_type(obj) == f"CNCStepper_{kind}"]
@@ -237,12 +239,37 @@ def language(request: Any, hand: Hand) -> Iterator[str]:
     hand.main(FreeCADGui.setLocale, "English")
 
 
-def test_every_panel_of_the_lathe(hand: Hand, language: str) -> None:
+@pytest.fixture
+def small_window(hand: Hand) -> Iterator[None]:
+    """FreeCAD's window as large as a small screen; afterwards it fills the screen again."""
+
+    def shrink() -> None:
+        FreeCADGui.getMainWindow().showNormal()
+        FreeCADGui.getMainWindow().resize(*SMALL_SCREEN)
+
+    hand.main(shrink)
+    hand.wait(lambda: FreeCADGui.getMainWindow().width() <= SMALL_SCREEN[0], 10, "the small window")
+    yield
+    hand.main(lambda: FreeCADGui.getMainWindow().showMaximized())
+    hand.wait(lambda: FreeCADGui.getMainWindow().width() > SMALL_SCREEN[0], 10, "the large window")
+
+
+def is_cut_off() -> bool:
+    """Return whether the open panel is wider than its place, so that a person has to scroll sideways."""
+    widget = places.find(f"{PANEL}ok")
+    while widget is not None and not isinstance(widget, QtGui.QScrollArea):
+        widget = widget.parentWidget()
+    return widget is not None and widget.horizontalScrollBar().maximum() > 0
+
+
+@pytest.mark.usefixtures("small_window")
+def test_every_panel_of_the_lathe_on_a_small_screen(hand: Hand, language: str) -> None:
     job = hand.main(every_operation)
     for obj in (job, *hand.main(lambda: [job.Tools[0], *job.Operations, *job.Operations[1].OutList[1:2]])):
         hand.main(panels.edit, obj)
         hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, "the panel")
-        hand.shot(f"lathe-{language}-{hand.main(proxy_type, obj)}")
+        hand.shot(f"lathe-{language}-{hand.main(proxy_type, obj)}", FreeCADGui.getMainWindow())
+        assert not hand.main(is_cut_off), hand.main(proxy_type, obj)
         if hand.exists(f"{PANEL}tool"):
             assert hand.main(lambda: places.find(f"{PANEL}tool").toolTip()).startswith("T1 CNMG 120408\n")
             shown = hand.main(lambda: places.find(f"{PANEL}tool").shown_text())

@@ -362,7 +362,8 @@ class ChoiceBox(QtGui.QComboBox):
         """Return its text as it is shown, with "…" where the box is too narrow."""
         option = self._option()
         styled = QtGui.QStyle.ComplexControl.CC_ComboBox, option, QtGui.QStyle.SubControl.SC_ComboBoxEditField
-        room = self.style().subControlRect(*styled, self).width()
+        styles = self.style(), QtGui.QApplication.style()  # the style sheet of a refused choice forgets the arrow
+        room = min(style.subControlRect(*styled, self).width() for style in styles)
         return str(self.fontMetrics().elidedText(option.currentText, QtCore.Qt.TextElideMode.ElideRight, room))
 
     def paintEvent(self, event: Any) -> None:
