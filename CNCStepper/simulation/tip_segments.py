@@ -66,8 +66,11 @@ class Segments:
         return Segments(begin, end, self.row).known()
 
     def level_where_unknown(self) -> Segments:
-        """Return those known in X and Y; a height that is known at neither end counts as 0, as on a table without Z."""
-        return self.known_in((0, 1))
+        """Return those known in X; Y and Z count as 0 where they are known at neither end.
+
+        A lathe has no Y, and a table without Z no height.
+        """
+        return self.known_in((0,))
 
 
 def frame_mm(toolpath: Toolpath) -> np.ndarray:

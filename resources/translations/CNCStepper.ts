@@ -14107,7 +14107,7 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>How far to move along X, mm.</source>
+            <source>How far to move along X, mm; a lathe's diameter changes by twice as much.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -14124,8 +14124,8 @@ altura</translation>
             <translation>Quanto a ponta bruta passa de z = 0, mm.</translation>
         </message>
         <message>
-            <source>How far to move along X, mm.</source>
-            <translation>Quanto mover em X, mm.</translation>
+            <source>How far to move along X, mm; a lathe's diameter changes by twice as much.</source>
+            <translation>Quanto mover em X, mm; o diâmetro de um torno muda o dobro.</translation>
         </message>
         <message>
             <source>How far to move along Y, mm.</source>

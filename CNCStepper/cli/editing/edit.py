@@ -53,7 +53,12 @@ def command() -> None:
 
 
 @command.command("offset")
-@click.option("--x", type=NumberType(), default=0.0, help="How far to move along X, mm.")
+@click.option(
+    "--x",
+    type=NumberType(),
+    default=0.0,
+    help="How far to move along X, mm; a lathe's diameter changes by twice as much.",
+)
 @click.option("--y", type=NumberType(), default=0.0, help="How far to move along Y, mm.")
 @click.option("--z", type=NumberType(), default=0.0, help="How far to move along Z, mm.")
 @editing_options

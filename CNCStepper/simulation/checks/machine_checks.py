@@ -167,7 +167,7 @@ class Starts(PartCheck):
         if not self._moves:
             text, advice = "the program moves nothing", "see whether it is whole"
             yield last.finding(-1, "error", "no-motion", text, advice=advice)
-        elif self._has_height:
+        elif self._has_height and "y" in last.machine.axis:  # a lathe's Z is no height
             yield from self._sideways
 
 

@@ -105,7 +105,7 @@ class SheetCuts:
         """Take the next part; ends_s: the end of each row, float64[n], where it is known."""
         through, travels = self._rows_that_cut(subject)
         path = segments(subject.toolpath, FLATTEN_MM)
-        known = path.level_where_unknown()
+        known = path.known_in((0, 1))
         if sum(map(len, self._cuts)) + sum(map(len, self._travel)) + len(known) > MOST_SEGMENTS:
             self.is_complete = False
         cut = self._numbers(through)

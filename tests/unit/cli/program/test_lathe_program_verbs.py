@@ -83,6 +83,18 @@ def test_check_of_a_sound_program_is_clean(program) -> None:
     assert "clean" in ended.stdout
 
 
+@pytest.mark.parametrize("mode", ["G7", "G8"])
+def test_check_without_a_bar_measures_the_moves_and_their_speeds_though_no_y_is_known(program, mode: str) -> None:
+    file = program(mode)
+    ended = called("check", file, "--machine", "linuxcnc-lathe")
+    assert ended.returncode == 0
+    assert "cut 44.5 mm, in air 5.0 mm, rapid 48.0 mm" in ended.stdout
+    assert "feed-above-rate" not in ended.stdout and "height-unknown" not in ended.stdout
+    file.write_text(file.read_text().replace("F200", "F7000"))
+    told = called("check", file, "--machine", "linuxcnc-lathe").stdout
+    assert "more of Z than its highest rate (value 7000 mm/min, limit 6000 mm/min)" in told
+
+
 def test_a_tool_that_is_not_given_is_named(program) -> None:
     options = ("--bar", "55x170", "--turning-tool", "2=drill:10", "--dialect", "linuxcnc")
     ended = called("check", program("G7"), *options, "--machine", "table-a")
