@@ -33,7 +33,17 @@ def _load_numba() -> Any:
 
     if hasattr(caching, "UserProvidedCacheLocator"):  # of versions that know sources by their contents
         caching.CacheImpl._locator_classes.insert(0, _locator(caching.UserProvidedCacheLocator))
+    caching.IndexDataCacheFile._data_name = _data_name
     return numba
+
+
+def _data_name(file: Any, number: int) -> str:
+    """Return a name for machine code that no other process gives.
+
+    numba takes the next number that is free in its index. Two processes that compile a kernel for different types at
+    the same time would take the same one, and each could load the other's machine code.
+    """
+    return f"{file._index_name.removesuffix('.nbi')}.{number}-{os.urandom(8).hex()}.nbc"
 
 
 def _locator(base: Any) -> Any:

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from numba.core import caching
 
 from CNCStepper import kernel_cache, kernels
 
@@ -144,3 +145,21 @@ def first_doubled(numbers: np.ndarray) -> int:
 
 def new_array(count: int) -> np.ndarray:
     return np.zeros(count)
+
+
+def test_processes_that_keep_machine_code_at_the_same_time_never_load_each_others(tmp_path: Path) -> None:
+    """Both have read the index before the other's entry was in it; one writes its code when the other has ended."""
+    one, other = (caching.IndexDataCacheFile(str(tmp_path), "kernel-1", "stamp") for _ in range(2))
+    write = one._save_data
+
+    def late(name: str, data: str) -> None:
+        other._load_index = dict
+        other.save("array of rows", "code for rows")
+        write(name, data)
+
+    one._save_data = late
+    one.save("array of columns", "code for columns")
+    reader = caching.IndexDataCacheFile(str(tmp_path), "kernel-1", "stamp")
+    assert reader.load("array of columns") in (None, "code for columns")
+    assert reader.load("array of rows") in (None, "code for rows")
+    assert [reader.load(key) for key in reader._load_index()] == ["code for rows"]
