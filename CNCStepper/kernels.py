@@ -33,7 +33,7 @@ def _load_numba() -> Any:
 
     if hasattr(caching, "UserProvidedCacheLocator"):  # of versions that know sources by their contents
         caching.CacheImpl._locator_classes.insert(0, _locator(caching.UserProvidedCacheLocator))
-    caching.IndexDataCacheFile._data_name = _data_name
+    caching.IndexDataCacheFile._data_name = _data_name  # type: ignore[method-assign]
     return numba
 
 
