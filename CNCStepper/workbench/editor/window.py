@@ -8,7 +8,7 @@ tab.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import FreeCADGui
@@ -60,15 +60,27 @@ class ActiveEditor:
 
     def _focus_moved(self, _: Any, now: Any) -> None:
         """Follow the focus; runs for every change of it in FreeCAD, so it only looks at what contains the widget."""
-        widget = now
-        while widget is not None:
+        for widget, name in around(now):
             if hasattr(widget, "is_program_editor"):
                 self.turn_to(widget)
                 return
-            if widget.metaObject().className() == TREE:
+            if name == TREE:
                 self.turn_to(None)
                 return
-            widget = widget.parentWidget()
+
+
+def around(widget: Any) -> Iterator[tuple[Any, str]]:
+    """Yield a widget and what contains it, each with the name of its class in Qt.
+
+    PySide2 may take a widget for a dead one that lay at its place in memory: of that nothing can be known.
+    """
+    while widget is not None:
+        try:
+            name, parent = widget.metaObject().className(), widget.parentWidget()
+        except RuntimeError:
+            return
+        yield widget, name
+        widget = parent
 
 
 def selected() -> list[str]:
