@@ -155,7 +155,9 @@ class Hand:
             place = self._place(places.of_widget, target, at)
             pressed = self.main(places.Pressed, target)
             self._click_place(place, button, double, modifiers)
-            if button != x_input.LEFT or self._is_soon(pressed.told):
+            if button == x_input.LEFT:
+                self._is_soon(pressed.told)
+            if self.main(pressed.end) or button != x_input.LEFT:
                 return
             print(f"{target} did not see the click", flush=True)
         raise AssertionError(f"{target} does not see clicks; {self.describe()}")

@@ -55,7 +55,10 @@ def _our_names() -> list[str]:
 
 
 class Pressed(QtCore.QObject):
-    """Hears whether a button is pressed, or sees that a line has the keyboard; anything else hears every click."""
+    """Hears whether a button is pressed, or a line gets a click; anything else hears every click.
+
+    The window manager hands a click on later, and a key at once: who types into a line waits for its click.
+    """
 
     def __init__(self, target: Any):
         super().__init__()
@@ -63,6 +66,9 @@ class Pressed(QtCore.QObject):
         is_button = isinstance(widget, QtGui.QAbstractButton)
         self._line = widget if widget.inherits("QLineEdit") or widget.inherits("QAbstractSpinBox") else None
         self._heard = not is_button and self._line is None
+        self._watched = [self._line, *self._line.findChildren(QtGui.QLineEdit)] if self._line is not None else []
+        for part in self._watched:
+            part.installEventFilter(self)
         if is_button:
             widget.pressed.connect(self._on_message)
 
@@ -70,9 +76,23 @@ class Pressed(QtCore.QObject):
     def _on_message(self) -> None:
         self._heard = True
 
+    def eventFilter(self, watched: Any, event: Any) -> bool:
+        """Note a click on the line; Qt calls this."""
+        self._heard |= event.type() == QtCore.QEvent.Type.MouseButtonPress
+        return False
+
     def told(self) -> bool:
         """Return whether the click has come."""
-        return self._heard or (self._line is not None and self._line.hasFocus())
+        return self._heard
+
+    def end(self) -> bool:
+        """Listen no longer; return whether the click has come, or the line has the keyboard."""
+        try:
+            for part in self._watched:
+                part.removeEventFilter(self)
+            return self._heard or (self._line is not None and self._line.hasFocus())
+        except RuntimeError:  # the click has closed what the line stood in
+            return True
 
 
 def all_is_selected(target: Any) -> bool:

@@ -166,14 +166,21 @@ class Form(QtGui.QWidget):
 
 def align_labels(layouts: list[Any]) -> None:
     """Make the label columns of several form layouts equally wide, so that their fields are aligned."""
-    role = QtGui.QFormLayout.ItemRole.LabelRole
-    items = [layout.itemAt(row, role) for layout in layouts for row in range(layout.rowCount())]
-    labels = [item.widget() for item in items if item is not None]
+    labels = [label for layout in layouts for label in _labels_of(layout)]
     natural = max((label.sizeHint().width() for label in labels), default=0)
     for label in labels:
         widest = label.fontMetrics().averageCharWidth() * LABEL_LETTERS
         label.setWordWrap(natural > widest)
         label.setFixedWidth(min(natural, widest))
+
+
+def _labels_of(layout: Any) -> list[Any]:
+    """Return the labels beside fields.
+
+    Not by the layout's items: these are no QObjects, and PySide2 may take one for what lay at its place in memory.
+    """
+    fields = [child for child in layout.parentWidget().children() if child.isWidgetType()]
+    return [label for field in fields if (label := layout.labelForField(field)) is not None]
 
 
 def _layout(box: Box) -> Any:
