@@ -26,6 +26,7 @@ from CNCStepper.workbench.dock.model import settings
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.dock.model.send_steps import STEPS
 from CNCStepper.workbench.services import sounds
+from CNCStepper.workbench.simulation.live_cut import live_cut
 from CNCStepper.workbench.simulation.scene import AT_MOMENT, FINISHED
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
@@ -239,7 +240,7 @@ def heard(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 def test_send_hold_resume_done(hand: Hand, dock: Any, heard: list[str]) -> None:
-    pocket(hand)
+    pocket(hand, stepover_mm=1.0)  # so that it is not at its end before all has been clicked on a slow machine
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}Start") and "Connect" in hand.text(f"{D}FlowTitle"), 60, "the proof")
     hand.choose(f"{D}Speed", "10× speed")
@@ -276,6 +277,12 @@ def test_send_hold_resume_done(hand: Hand, dock: Any, heard: list[str]) -> None:
     assert not hand.exists(f"{D}Flow")
     hand.wait(lambda: dock.live.shown is None, 5, "an empty view")
     hand.click(f"{D}Live")
+
+
+def test_a_cut_whose_document_was_closed_is_not_shown(hand: Hand, dock: Any) -> None:
+    job = pocket(hand)
+    hand.main(lambda: FreeCAD.closeDocument(job.Document.Name))
+    assert hand.main(live_cut, job, None, dock) is None
 
 
 def shown_part(dock: Any) -> int:

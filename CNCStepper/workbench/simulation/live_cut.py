@@ -122,7 +122,10 @@ class LiveCut(QtCore.QObject):
 
 def live_cut(program: Any, result: Any, parent: Any) -> LiveCut | None:
     """Return the cut of a program shown in a 3D view of its document; None without such a view, or with a note."""
-    view = view_of(program.Document)
+    try:
+        view = view_of(program.Document)
+    except ReferenceError:  # as FreeCAD says that it was deleted, or its document closed, while it is cut
+        return None
     if view is None:
         return None
     if not isinstance(result, ProofResult):
