@@ -40,15 +40,23 @@ def test_every_group_box_and_choice_of_turning_answers(hand: Hand) -> None:
         objects = (job, *hand.main(lambda: [job.Tools[0], *job.Operations, *job.Operations[1].OutList[1:2]]))
         for obj in objects if OLDEST else objects[:3]:
             work_through(hand, obj, done, (CheckField, ChoiceField, NumberField, VectorField))
-        for kind, key in (("turning", "insert"), ("drill", "point_angle_deg"), ("threading", "tip_angle_deg")):
-            tool = hand.main(lambda kind=kind: api.add_tool(job, kind=kind))
+        for key, tool in hand.main(other_tools, job).items():
             work_through(hand, tool, but(tool, key), (NumberField, TextField))
+
+
+def other_tools(job: Any) -> dict[str, Any]:
+    """Make tools by the line that only they have."""
+    return {
+        "insert": api.add_tool(job, kind="turning"),
+        "point_angle_deg": api.add_tool(job, kind="drill"),
+        "tip_angle_deg": api.add_tool(job, kind="threading", insert="", tip_angle_deg=60.0),
+    }
 
 
 def test_points_and_tips_of_tools_answer(hand: Hand) -> None:
     job = hand.main(lambda: api.new_job(FreeCAD.newDocument("Tips")))
     with hidden_view(hand):
-        for shape, keys in (("vbit", ("tip_angle_deg", "tip_diameter_mm")), ("drill", ("point_angle_deg",))):
+        for shape, keys in (("v", ("tip_angle_deg", "tip_diameter_mm")), ("drill", ("point_angle_deg",))):
             tool = hand.main(lambda shape=shape: api.add_tool(job, shape=shape, diameter_mm=6))
             hand.main(job.Document.recompute)
             work_through(hand, tool, but(tool, *keys), (NumberField,))
