@@ -40,14 +40,35 @@ def test_every_group_box_and_choice_of_turning_answers(hand: Hand) -> None:
         objects = (job, *hand.main(lambda: [job.Tools[0], *job.Operations, *job.Operations[1].OutList[1:2]]))
         for obj in objects if OLDEST else objects[:3]:
             work_through(hand, obj, done, (CheckField, ChoiceField, NumberField, VectorField))
+        for key, tool in hand.main(other_tools, job).items():
+            work_through(hand, tool, but(tool, key), (NumberField, TextField))
+
+
+def other_tools(job: Any) -> dict[str, Any]:
+    """Make tools by the line that only they have."""
+    return {
+        "insert": api.add_tool(job, kind="turning"),
+        "point_angle_deg": api.add_tool(job, kind="drill"),
+        "tip_angle_deg": api.add_tool(job, kind="threading", insert="", tip_angle_deg=60.0),
+    }
+
+
+def test_points_and_tips_of_tools_answer(hand: Hand) -> None:
+    job = hand.main(lambda: api.new_job(FreeCAD.newDocument("Tips")))
+    with hidden_view(hand):
+        for shape, keys in (("v", ("tip_angle_deg", "tip_diameter_mm")), ("drill", ("point_angle_deg",))):
+            tool = hand.main(lambda shape=shape: api.add_tool(job, shape=shape, diameter_mm=6))
+            hand.main(job.Document.recompute)
+            work_through(hand, tool, but(tool, *keys), (NumberField,))
 
 
 def test_every_field_of_drawings_texts_and_sheets_answers(hand: Hand, tmp_path: Path) -> None:
     file, done = tmp_path / "plate.svg", set[str]()
     file.write_text(SHEET.format(radius=8), "utf-8")
     kinds = (CheckField, ChoiceField, FontField, NumberField, TextField, VectorField)
-    with hidden_view(hand):
-        for obj in hand.main(drawn_objects, file, limit_s=120):
+    drawn = hand.main(drawn_objects, file, limit_s=120)
+    with hidden_view(hand):  # of the document, which FreeCAD 1.1 shows its tasks over
+        for obj in drawn:
             work_through(hand, obj, done, kinds)
 
 
@@ -58,6 +79,8 @@ def drawn_objects(file: Path) -> list[Any]:
     job = api.new_job(document)
     drawing = api.import_drawing(document, file)
     box = document.addObject("Part::Box", "Box")
+    document.addObject("Part::Box", "Other")  # so that another solid and another job can be chosen
+    api.new_job(document)
     text, shape = api.add_text(document, "ABC"), api.add_shape(document, "flange")
     document.recompute()
     slices, nest = api.add_slices(document, box), api.add_nest(document, [text])
@@ -75,6 +98,11 @@ def work_through(hand: Hand, obj: Any, done: set[str], kinds: tuple[Any, ...] = 
         change(hand, *found)
     hand.click(f"{PANEL}cancel")
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+
+
+def but(obj: Any, *keys: str) -> set[str]:
+    """Return the names of all lines of an object's panel but those of some keys, as if they were clicked already."""
+    return {f"{PANEL}{entry.key}" for entry in obj.Proxy.PROPERTIES if entry.key not in keys}
 
 
 def panel_of(obj: Any) -> Any:

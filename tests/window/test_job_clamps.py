@@ -110,8 +110,7 @@ def test_clamps_are_taken_from_the_selection_and_let_go(hand: Hand, bench: Bench
     assert rows(hand) == ["1  Front clamp", "2  Side clamp"] and hand.main(note) == ""
     hand.wait(lambda: len(api.job_model(bench.job).clamps) == 2, what="the clamps of the job as it is made")
     hand.shot("panel-job-clamps")
-    hand.main(lambda: places.find(f"{P}_clamps").setFocus())
-    hand.key("Up")
+    hand.item(f"{P}_clamps", "1  Front clamp")
     click(hand, REMOVE, lambda: list(bench.job.Clamps) == [side])
     assert rows(hand) == ["1  Side clamp"]
     hand.click(f"{P}_ok")

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import Draft
@@ -12,13 +13,18 @@ import FreeCADGui
 import pytest
 from FreeCAD import Vector
 from test_cycle_panels import cut_off
+from test_every_choice import but, work_through
+from test_typing import hidden_view
 
 from CNCStepper.workbench import api, panels
 from CNCStepper.workbench.features.base import problem_of
+from CNCStepper.workbench.panels.fields import CheckField, ChoiceField, NumberField
 from window_helpers import screen_places as places
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 
 P = "CNCStepper_Panel_"
+CHARTS = Path(api.__file__).parents[1] / "machine" / "charts"
 PORTUGUESE = "pt-BR"
 JOBS = {
     "plasma": {"machine": "torch-table", "material": "mild-steel", "stock_size_mm": (200, 150, 3)},
@@ -137,6 +143,27 @@ def test_what_a_laser_marks_is_checked_and_taken_from_the_selection(hand: Hand, 
         hand.click(f"{marks}_{button}")
         hand.wait(lambda expected=expected: field() == expected, 20, button)
     hand.wait(lambda: "Touched" not in job.State and not problem_of(operation), 20, "the program")
+    hand.click(P + "ok")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+    with hidden_view(hand):
+        mine = ("mark_power", "mark_feed_mm_min", "dynamic_power", "power_ramp_by")
+        work_through(hand, operation, but(operation, *mine), (CheckField, ChoiceField, NumberField))
+
+
+def test_a_chart_of_the_shop_and_its_consumables_are_chosen(hand: Hand, document: Any, tmp_path: Path) -> None:
+    chart = tmp_path / "tabela da oficina.toml"
+    chart.write_text((CHARTS / "plasma.toml").read_text("utf-8").replace("3850.0", "3777.0"), "utf-8")
+    job = hand.main(make_job, document, "plasma")
+    open_panel(hand, job, "chart")
+    hand.main(lambda: places.scroll_to(places.find(P + "chart")))
+    hand.choose(P + "chart", "A chart's file…")
+    choose_file(hand, P + "chart_file", chart)
+    hand.wait(lambda: "Touched" not in job.State and "F3777" in api.program_text(job), 20, "the shop's feed")
+    for number in (2, 0):
+        hand.main(lambda: places.scroll_to(places.find(P + "consumable")))
+        hand.choose(P + "consumable", hand.main(lambda number=number: places.find(P + "consumable").itemText(number)))
+        hand.wait(lambda number=number: bool(job.Consumable) is bool(number) and "Touched" not in job.State, 20)
+    assert hand.main(problem_of, job) == ""
 
 
 def two_lines(document: Any) -> list[Any]:

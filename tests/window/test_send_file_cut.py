@@ -57,11 +57,15 @@ def test_a_file_without_a_job_is_cut_with_the_charts_feed(hand: Hand, dock: Any,
     file = tmp_path / "peça.nc"
     file.write_text(PROGRAM.format(row.pierce_delay_s), "utf-8")
     choose_file(hand, file)
-    hand.main(lambda: places.find(f"{C}thickness").setValue(900.0))
+    hand.fill(f"{C}thickness", "900")
     hand.wait(lambda: places.visible("CNCStepper_Cut_error"), what="why this thickness cannot be cut")
     assert not hand.main(lambda: places.find(f"{C}ok").isEnabled())
     hand.shot("file-cut-refused")
-    hand.main(lambda: places.find(f"{C}thickness").setValue(6.0))
+    hand.fill(f"{C}thickness", "6")
+    for choice in ("material", "consumable", "process"):
+        choose_another_and_back(hand, f"{C}{choice}")
+    for axis, size in (("x", "310"), ("y", "170")):
+        hand.fill(f"{C}{axis}", size)
     hand.wait(lambda: f"{row.feed_mm_min:g}" in hand.text(f"{C}feed"), what="the feed")
     hand.shot("file-cut")
     hand.click(f"{C}ok")
@@ -71,9 +75,21 @@ def test_a_file_without_a_job_is_cut_with_the_charts_feed(hand: Hand, dock: Any,
     assert result.report["cut_length_mm"] > 60
     lines = hand.main(lambda: api.program_text(FreeCAD.ActiveDocument.findObjects("App::FeaturePython")[-1]))
     assert "F" not in lines.replace("G", "")
+    (job,) = hand.main(lambda: [one for one in FreeCAD.ActiveDocument.Objects if hasattr(one, "StockSize")])
+    assert hand.main(lambda: (job.StockSize.x, job.StockSize.y)) == (310, 170)
     with_feed = [line for line in _sent(result.send_file) if f"F{row.feed_mm_min:g}" in line]
     assert len(with_feed) == 1
     hand.shot("file-cut-proven")
+
+
+def choose_another_and_back(hand: Hand, box: str) -> None:
+    """Choose the last of a box's entries, which shows another feed or none, then the one that stood there."""
+    texts = hand.main(lambda: [places.find(box).itemText(row) for row in range(places.find(box).count())])
+    before, feed = hand.text(box), hand.text(f"{C}feed")
+    hand.choose(box, next(text for text in reversed(texts) if text != before or len(texts) == 1))
+    hand.wait(lambda: len(texts) == 1 or hand.text(f"{C}feed") != feed, what=f"what {box} changes")
+    hand.choose(box, before)
+    hand.wait(lambda: hand.text(box) == before)
 
 
 def _sent(certificate: Path) -> list[str]:
@@ -91,10 +107,15 @@ def test_a_jobs_own_values_are_offered_and_others_make_a_job_of_their_own(
     values = {"machine": "torch-table", "process": "plasma", "material": "mild-steel", "stock_size_mm": (200, 150, 3)}
     job = hand.main(lambda: api.new_job(FreeCAD.newDocument("Cut"), stock_form="sheet", **values))
     hand.main(lambda: (api.chart_tool(job), job.Document.recompute()))
+    objects = hand.main(lambda: len(job.Document.Objects))
     choose_file(hand, file)
     assert hand.main(lambda: places.find(f"{C}thickness").value()) == 3.0
     assert not hand.exists(f"{C}x")
-    hand.main(lambda: places.find(f"{C}thickness").setValue(6.0))
+    hand.click(f"{C}cancel")
+    hand.wait(lambda: not hand.exists(f"{C}ok"), what="the question to go")
+    assert hand.exists(f"{D}SendFile") and hand.main(lambda: len(job.Document.Objects)) == objects
+    choose_file(hand, file)
+    hand.fill(f"{C}thickness", "6")
     hand.click(f"{C}ok")
     hand.wait(lambda: hand.exists(f"{D}Start") or hand.exists(f"{D}Away"), 240, "the proof")
     jobs = hand.main(lambda: [one for one in job.Document.Objects if getattr(one, "Process", "") == "plasma"])

@@ -432,7 +432,9 @@ def test_the_menu_moves_and_duplicates(hand: Hand, ordered: Any) -> None:
     hand.wait(lambda: order(ordered)[3] == "d")
     hand.menu("CNCStepper", "Move down")
     hand.wait(lambda: order(ordered)[4] == "d")
-    for _ in range(4):
+    hand.menu("CNCStepper", "Duplicate")
+    hand.wait(lambda: len(ordered.Operations) == 6 and ordered.Operations[5].Label.startswith("d"))
+    for _ in range(5):
         hand.undo()
     hand.wait(lambda: order(ordered) == list(ORDER) and len(ordered.Document.Objects) == 8)
 
