@@ -40,16 +40,20 @@ def test_every_group_box_and_choice_of_turning_answers(hand: Hand) -> None:
         objects = (job, *hand.main(lambda: [job.Tools[0], *job.Operations, *job.Operations[1].OutList[1:2]]))
         for obj in objects if OLDEST else objects[:3]:
             work_through(hand, obj, done, (CheckField, ChoiceField, NumberField, VectorField))
-        for key, tool in hand.main(other_tools, job).items():
-            work_through(hand, tool, but(tool, key), (NumberField, TextField))
+        (thread,) = [each for each in job.Operations if proxy_type(each) == "CNCStepper_TurnThread"]
+        work_through(hand, thread, but(thread, "thread"), (TextField,))
+        for keys, tool in hand.main(other_tools, job).items():
+            work_through(hand, tool, but(tool, *keys), (NumberField, TextField))
 
 
-def other_tools(job: Any) -> dict[str, Any]:
-    """Make tools by the line that only they have."""
+def other_tools(job: Any) -> dict[tuple[str, ...], Any]:
+    """Make tools by the lines that only they have."""
+    boring = {"kind": "boring", "insert": "CCMT 060204", "bar_mm": 8.0, "smallest_bore_mm": 10.0}
     return {
-        "insert": api.add_tool(job, kind="turning"),
-        "point_angle_deg": api.add_tool(job, kind="drill"),
-        "tip_angle_deg": api.add_tool(job, kind="threading", insert="", tip_angle_deg=60.0),
+        ("insert",): api.add_tool(job, kind="turning"),
+        ("bar_mm", "smallest_bore_mm"): api.add_tool(job, **boring),
+        ("point_angle_deg",): api.add_tool(job, kind="drill"),
+        ("tip_angle_deg",): api.add_tool(job, kind="threading", insert="", tip_angle_deg=60.0),
     }
 
 

@@ -148,6 +148,8 @@ def test_what_a_laser_marks_is_checked_and_taken_from_the_selection(hand: Hand, 
     with hidden_view(hand):
         mine = ("mark_power", "mark_feed_mm_min", "dynamic_power", "power_ramp_by")
         work_through(hand, operation, but(operation, *mine), (CheckField, ChoiceField, NumberField))
+        tool = hand.main(api.chart_tool, job)
+        work_through(hand, tool, but(tool, "from_chart"), (CheckField,))
 
 
 def test_a_chart_of_the_shop_and_its_consumables_are_chosen(hand: Hand, document: Any, tmp_path: Path) -> None:
