@@ -154,9 +154,17 @@ def only_shown(label: str) -> None:
             obj.ViewObject.Visibility = obj.Label == label
 
 
+def show_beside_the_tasks() -> None:
+    """Show all at half its size where FreeCAD covers the right part of the view with its tasks (1.1)."""
+    if FreeCADGui.getMainWindow().findChild(QtGui.QTabWidget, "OverlayRight") is not None:
+        camera = FreeCADGui.ActiveDocument.ActiveView.getCameraNode()
+        camera.height = 2.0 * camera.height.getValue()
+
+
 def begin_at_edges(hand: Hand, command: str) -> None:
     """Select the edges of the lines in the view, one after the other with Ctrl, and press a command's button."""
     hand.main(only_shown, "Lines")
+    hand.main(show_beside_the_tasks)
     hand.main(FreeCADGui.Selection.clearSelection)
     for number, (x, z) in enumerate(((12, -10), (15, -20), (18, -30)), start=1):
         hand.click_view(hand.view_point(x, 0, z), modifiers=("Ctrl",) if number > 1 else ())
@@ -203,7 +211,7 @@ def test_a_collision_with_the_chuck_is_named_and_shown(hand: Hand) -> None:
             obj.purgeTouched()
 
     hand.main(lengthen)
-    FreeCADGui.Selection.clearSelection()
+    hand.main(FreeCADGui.Selection.clearSelection)
     hand.tree(job.Label)
     hand.command("CNCStepper_Simulate")
     end = "CNCStepper_Simulation_end"
