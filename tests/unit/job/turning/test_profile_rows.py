@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+import itertools
 from pathlib import Path
 
+import ezdxf
+import ezdxf.units
 import numpy as np
 import pytest
 
@@ -59,3 +62,20 @@ def test_a_saved_job_file_holds_the_same_job(name: str, tmp_path: Path) -> None:
     save_turning_job(whole, tmp_path / "out.toml")
     again, _ = load_turning_job(tmp_path / "out.toml")
     assert again.model_dump() == whole.model_dump()
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_a_profile_of_a_dxf_is_that_of_its_points(tmp_path: Path, backwards: bool) -> None:
+    """X of the drawing is z, its Y the radius, whichever end its lines begin at."""
+    places = [(0.0, 10.0), (-20.0, 10.0), (-30.0, 15.0), (-45.0, 15.0)]
+    drawing = ezdxf.new(units=ezdxf.units.MM)
+    drawn = places[::-1] if backwards else places
+    for begin, end in itertools.pairwise(drawn):
+        drawing.modelspace().add_line(begin, end, dxfattribs={"layer": "PROFILE"})
+    drawing.modelspace().add_circle((0, 50), 5, dxfattribs={"layer": "else"})
+    drawing.saveas(tmp_path / "eixo ç.dxf")
+    table = {"name": "one", "dxf": {"file": "eixo ç.dxf", "layer": "PROFILE"}}
+    by_drawing = ProfileForm.model_validate(table).curve("diameter", tmp_path)
+    points = [(2 * radius, z) for z, radius in places]
+    by_points = ProfileForm.model_validate({"name": "one", "points": points}).curve("diameter", tmp_path)
+    assert np.allclose(by_drawing.xy, by_points.xy, atol=1e-9) and not by_drawing.bulge.any()
