@@ -47,7 +47,7 @@ def text_of(value: Any) -> str:
     """Return the JSON of plain data, in ASCII."""
     if type(value) is Content:
         return value.text
-    if type(value) is dict:
+    if type(value) is dict and all(type(key) is str for key in value):
         return f"{{{', '.join(f'{json.dumps(key)}: {text_of(part)}' for key, part in value.items())}}}"
     if type(value) is list and any(type(part) is Content for part in value):
         return f"[{', '.join(map(text_of, value))}]"

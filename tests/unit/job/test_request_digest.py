@@ -14,6 +14,7 @@ LINES = {"points": [[0.1, 2.0], [1e-9, -3.5]], "label": 'Peça "nº 1"\n'}
 QUESTIONS: list[dict[str, Any]] = [
     {},
     {"mark": 3, "parts": {}, "compiled": True, "none": None},
+    {"tools": {1: "flat", 2: Content(LINES)}, "by": {None: 1, True: 2}},
     {
         "cut": {"operation": [Content(LINES), Content(LINES)], "stock": {"size_mm": [1, 2, 3]}},
         "machine": Content(LINES),
