@@ -68,6 +68,12 @@ if INSIDE:
         return the_hand
 
     @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol() -> Iterator[None]:
+        """Keep what a test leaves behind, until the interface thread deletes it."""
+        with FreeCAD.__cncstepper_window__[1].watching():
+            return (yield)
+
+    @pytest.hookimpl(wrapper=True)
     def pytest_runtest_makereport(item: pytest.Item, call: Any) -> Any:
         """Keep a picture of the screen when a test fails."""
         result = yield

@@ -9,7 +9,8 @@ import sys
 import threading
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -31,13 +32,17 @@ def interface_stack() -> str:
 
 
 class Interface(QtCore.QObject):
-    """Runs functions on the interface thread, also while a modal dialog or another loop is open there."""
+    """Runs functions on the interface thread, also while a modal dialog or another loop is open there.
+
+    `while_asked` runs there after each of them, while pytest's thread still waits for the answer.
+    """
 
     _asked = QtCore.Signal(object)
 
     def __init__(self) -> None:
         """Make it on the interface thread: that is where the functions will run."""
         super().__init__()
+        self.while_asked: Callable[[], None] = lambda: None
         self._asked.connect(self._answer, QtCore.Qt.ConnectionType.QueuedConnection)
 
     @QtCore.Slot(object)
@@ -52,9 +57,11 @@ class Interface(QtCore.QObject):
 
         def task() -> None:
             try:
-                answers.put((function(*arguments), None))
+                answer = (function(*arguments), None)
             except BaseException as error:
-                answers.put((None, error))
+                answer = (None, error)
+            self.while_asked()
+            answers.put(answer)
 
         self._asked.emit(task)
         try:
@@ -73,22 +80,30 @@ class Keeper:
 
     A callable that was connected to a signal, or a widget in a cycle of garbage, would otherwise be deleted in
     pytest's thread, whenever a test's function returns or Python happens to collect: a crash, now and then.
+
+    Python 3.11 itself crashes where one thread collects garbage while another is in generators that a profile function
+    watches. So garbage is collected only while pytest's thread waits for an answer.
     """
 
-    COLLECT_EVERY_MS = 200
     MANY = 2000  # young objects since the last collection; Python's own threshold has the same order
 
-    def __init__(self, folders: tuple[str, ...]) -> None:
-        """Keep the locals of functions in the files of these folders; made on the interface thread."""
+    def __init__(self, folders: tuple[str, ...], interface: Interface) -> None:
+        """Keep the locals of functions in the files of these folders."""
         self._folders = folders
         self._kept: list[Any] = []
         gc.disable()
-        self._timer = QtCore.QTimer()
-        self._timer.timeout.connect(self._collect)
-        self._timer.start(self.COLLECT_EVERY_MS)
+        interface.while_asked = self._collect
 
-    def watch(self, frame: Any, event: str, _: Any) -> None:
-        """Keep the locals of a function that returns; for `sys.setprofile` in pytest's thread."""
+    @contextmanager
+    def watching(self) -> Iterator[None]:
+        """Keep the locals of functions that return in this thread meanwhile."""
+        sys.setprofile(self._watch)
+        try:
+            yield
+        finally:
+            sys.setprofile(None)
+
+    def _watch(self, frame: Any, event: str, _: Any) -> None:
         if event == "return" and frame.f_code.co_filename.startswith(self._folders):
             self._kept.append(dict(frame.f_locals))
 

@@ -44,7 +44,6 @@ class ByThread:
 
 def work(interface, keeper):
     """Run the tests, write their status, close FreeCAD; this is pytest's thread."""
-    sys.setprofile(keeper.watch)
     status = 3
     try:
         import pytest
@@ -54,7 +53,6 @@ def work(interface, keeper):
     except BaseException:
         traceback.print_exc(file=sys.__stderr__)
     finally:
-        sys.setprofile(None)
         for terminal in (sys.__stdout__, sys.__stderr__):  # a FreeCAD that does not end in order loses the summary
             terminal.flush()
         interface.call(keeper.let_go)
@@ -106,7 +104,7 @@ def begin():
         paint_views_apart(FreeCADGui.getMainWindow().findChild(QtGui.QMdiArea))
     sys.argv = ["pytest"]
     link = interface.Interface()
-    keeper = interface.Keeper((str(TESTS / "window"), str(TESTS / "window_helpers")))
+    keeper = interface.Keeper((str(TESTS / "window"), str(TESTS / "window_helpers")), link)
     FreeCAD.__cncstepper_window__ = link, keeper
     thread = threading.Thread(target=work, args=(link, keeper), daemon=True)
     sys.stdout = ByThread(thread, sys.__stdout__, sys.stdout)
