@@ -13470,6 +13470,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>--part goes with the --job of a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>--position X,Y,Z says where the machine stands at first, --parameters FILE the places of G28 and G30</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13799,7 +13803,7 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Comments, line numbers, units, modal words, arcs written as chords and lines divided otherwise make no difference. Times are the job's machine's or table-a's unless told. With --stock and --tool, --bar and --turning-tool, or --job, the parts that both cut are compared too. Exit 0 where the motion is the same, 1 where it differs.</source>
+            <source>Comments, line numbers, units, modal words, arcs written as chords and lines divided otherwise make no difference. Times are the job's machine's or table-a's unless told. With --stock and --tool, --bar and --turning-tool, or --job, the parts that both cut are compared too: of a lathe their exact profiles, diameter by diameter. Exit 0 where the motion is the same, 1 where it differs.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15284,6 +15288,10 @@ the height</source>
         </message>
         <message>
             <source>Which program of a job that is split, one a tool.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Which program of a lathe's job both are, where the machine wants one a tool.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18129,6 +18137,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a ring between ø{low_mm:.3f} and ø{high_mm:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rotation of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19053,11 +19065,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bore at Z{z_mm:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bore_mm belongs to a stock of the form 'tube', and to no other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bores of ø{one_mm:.3f} and ø{other_mm:.3f}, {by_mm:.3f} mm in diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19454,6 +19474,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>choose the zip of 'make installer', or the folder in which its .whl files are</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose two programs of a mill, or two of a lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19993,6 +20017,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>diameter at Z{z_mm:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>diameters must rise, and each range lead from its least value above 0 to its most</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20230,6 +20258,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>enlarge Q</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enlarged {times:.3g} times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20981,6 +21013,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>in both parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>in inverse time every {name} needs its own F above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21586,6 +21622,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>largest deviation: {distance:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>largest difference: {distance:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23545,6 +23585,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>rapid moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>rapid only here</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23558,6 +23602,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>rapids move at the feed in force: no F for them was given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raw bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23654,6 +23702,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>remove the lines with `%`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>removed only by {name}: {volume:.3f} cm³</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23766,6 +23818,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>retracted along the cut: go further back, forward, or resume from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ring at Z{z_mm:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24770,6 +24826,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the bar sticks out of the chuck too far for its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bars differ, {first} and {second}: both parts are cut out of the first one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27669,6 +27729,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the turned parts are the same within {same_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the turned parts differ at {count} places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the turned parts differ by up to {depth_mm:.3f} mm at Z{z_mm:.3f}: {diameters}, from Z{begin_mm:.3f} to Z{end_mm:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the value is no finite number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30445,6 +30517,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{mill} is a mill's program and {lathe} a lathe's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{missing} cut(s) end without a lead-out: there is no scrap for it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30502,6 +30578,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{name} cannot be used as a serial port: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} cuts nothing of the bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30593,6 +30673,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} moves along Y: a lathe's bar and tools do not cut it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} moves with the spindle, whose speed is not set</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30658,6 +30742,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{name}, version {version}, on {board}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name}: the shape of tool {tool} is not known, its cuts from line {line} on are left out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30990,6 +31078,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>~ is a command to the controller (cycle start), not part of a program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ø{diameter:g} × {length:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ø{diameter:g} × {length:g} mm with a bore of ø{bore:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ø{one_mm:.3f} and ø{other_mm:.3f}, {by_mm:.3f} mm in diameter</source>
             <translation type="unfinished"></translation>
         </message>
     </context>
