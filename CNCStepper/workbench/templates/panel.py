@@ -345,7 +345,7 @@ class TemplatePanel(PanelButtons):
         if document is not None:
             document.commitTransaction()
         self._close()
-        show_all()
+        QtCore.QTimer.singleShot(0, guarded(show_all))  # an event of its own: each takes some 20 ms
 
     def _undo(self) -> None:
         """Take back what is made of the job so far."""
