@@ -94,6 +94,9 @@ def test_what_is_no_drive_is_said_and_the_profile_s_drive_stands_first(hand: Han
     open_sheet(hand, job)
     assert shown(hand, "steps_per_mm", "highest_feed") == ["80  (profile: 80)", "18750.00 mm/min"]
     assert shown(hand, "backlash_mm") == ["0.05 mm"]
+    for axis, is_of_x in (("Y", False), ("X", True)):
+        choose(hand, "axis", axis)
+        hand.wait(lambda is_of_x=is_of_x: (hand.text(f"{A}_backlash_mm") == "0.05 mm") is is_of_x, 10, axis)
     for text, told in (("0", "must be at least"), ("x", "no number"), ("3 deg", "no value in")):
         fill(hand, screw_pitch_mm=text)
         hand.wait(lambda told=told: told in places.find(f"{A}_error").text())
