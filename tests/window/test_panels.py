@@ -425,7 +425,7 @@ def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench, tmp_path: Path
     hand.main(lambda: hand_into("CNCStepper_Panel_stock_fit"))
     hand.main(FreeCADGui.Selection.addSelection, bench.sketch)
     hand.click("CNCStepper_Panel_stock_fit")
-    hand.wait(lambda: tuple(bench.job.StockSize)[:2] == pytest.approx((80, 60), abs=0.5), 10, "10 mm around it")
+    hand.wait(lambda: tuple(bench.job.StockSize)[:2] == pytest.approx((80, 60), abs=1e-3), 10, "10 mm around it")
     hand.main(lambda: hand_into("CNCStepper_Panel_tools_add"))
     hand.click("CNCStepper_Panel_tools_remove")
     assert "is cut with it" in hand.text("CNCStepper_Panel_tools_error")
