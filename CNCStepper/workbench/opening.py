@@ -48,6 +48,6 @@ def _warm_up() -> None:
     from CNCStepper.workbench.calculation import import_warmup, kernel_warmup
 
     if compiling := kernel_warmup.begin():
-        compiling.ended.connect(import_warmup.begin)  # a kernel that is called before would be compiled here
+        compiling.ended.connect(import_warmup.begin_in_window)  # a kernel that is called before would be compiled here
     else:
-        QtCore.QTimer.singleShot(import_warmup.AFTER_MS, import_warmup.begin)
+        QtCore.QTimer.singleShot(import_warmup.AFTER_MS, import_warmup.begin_in_window)

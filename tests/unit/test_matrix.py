@@ -46,7 +46,7 @@ def test_what_no_test_has_clicked_is_named(
     let_all_pass(matrix, monkeypatch, tmp_path)
     note_touches(tmp_path, "host-scaled", seen=["CNCStepper_Dock_lost"], touched=[])
     note_touches(tmp_path, "host-monkey", seen=[], touched=["CNCStepper_Dock_lost"])  # at random: does not count
-    assert matrix.main([]) == 0
+    assert matrix.main([]) == 1
     assert "without a click of a test =====\nCNCStepper_Dock_lost\n" in capsys.readouterr().out
     note_touches(tmp_path, "host-portuguese", seen=[], touched=["CNCStepper_Dock_lost"])
     assert matrix.main([]) == 0
@@ -72,6 +72,7 @@ def test_what_cannot_be_set_up_has_failed_and_the_rest_still_runs(
     assert lines["0.20.2"].count("passed") == 8 and lines["0.20.2"].count("FAILED") == 1
     assert lines["1.1.3"].count("passed") == 9
     assert "0.20.2: scaled FAILED =====\nthe words of host scaled\n" in said
+    assert "without a click of a test =====\n(scaled failed: clicks may be missing)\nnothing\n" in said
     assert matrix.main(["1.1.3"]) == 0
 
 

@@ -25,6 +25,7 @@ from CNCStepper.workbench.commands.create_object import create
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.features.base import problem_of, proxy_type, value_of
 from CNCStepper.workbench.features.operation import Operation
+from CNCStepper.workbench.panels.fields import NoteLabel
 from CNCStepper.workbench.panels.operations.preset_row import fitting, preset_entries
 from window_helpers import screen_places as places
 from window_helpers.file_dialogs import choose_file
@@ -278,12 +279,21 @@ def test_every_field_of_every_panel_takes_bad_values(hand: Hand, bench: Bench, k
             hand.wait(partial(bench.note, key_of(field)), 5, f"the note at {field} for {text!r}")
             hand.wait(partial(bench.sound, text, held), CUT_S, f"what was good before {text!r} in {field}")
     hand.shot(f"panel-{kind}-bad")
+    assert (
+        hand.main(lambda: [note.objectName() for note in notes() if note.height() < note.heightForWidth(note.width())])
+        == []
+    )
     hand.click(OK)
     hand.settle()
     assert not hand.main(bench.closed)
     hand.key("Esc")
     hand.wait(bench.closed)
     assert hand.main(bench.values) == before
+
+
+def notes() -> list[Any]:
+    """Return the notes that are shown below fields."""
+    return [note for note in FreeCADGui.getMainWindow().findChildren(NoteLabel) if note.isVisible()]
 
 
 def keyboard_in_panel() -> bool:
@@ -425,7 +435,7 @@ def test_the_job_s_operations_and_tools(hand: Hand, bench: Bench, tmp_path: Path
     hand.main(lambda: hand_into("CNCStepper_Panel_stock_fit"))
     hand.main(FreeCADGui.Selection.addSelection, bench.sketch)
     hand.click("CNCStepper_Panel_stock_fit")
-    hand.wait(lambda: tuple(bench.job.StockSize)[:2] == pytest.approx((80, 60), abs=0.5), 10, "10 mm around it")
+    hand.wait(lambda: tuple(bench.job.StockSize)[:2] == pytest.approx((80, 60), abs=1e-3), 10, "10 mm around it")
     hand.main(lambda: hand_into("CNCStepper_Panel_tools_add"))
     hand.click("CNCStepper_Panel_tools_remove")
     assert "is cut with it" in hand.text("CNCStepper_Panel_tools_error")

@@ -9,7 +9,7 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
 from CNCStepper.workbench.document import preferred_values as preferred
 from CNCStepper.workbench.document.preferred_values import GROUP
@@ -24,7 +24,7 @@ P = "CNCStepper_Preferences"
 
 
 def box(name: str) -> Any:
-    found = [widget for widget in QtGui.QApplication.allWidgets() if widget.objectName() == f"{P}_{name}"]
+    found = [widget for widget in places.all_widgets() if widget.objectName() == f"{P}_{name}"]
     return next((widget for widget in found if widget.isVisible()), None)
 
 

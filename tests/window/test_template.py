@@ -191,7 +191,7 @@ def the_panel() -> Any:
 
     from CNCStepper.workbench.templates.panel import TemplatePanel
 
-    return [each for each in gc.get_objects() if isinstance(each, TemplatePanel)][-1]
+    return next(each for each in gc.get_objects() if isinstance(each, TemplatePanel) and places.isValid(each._timer))
 
 
 def test_what_is_wrong_is_told_and_nothing_is_made(hand: Hand, tmp_path: Path) -> None:
@@ -222,3 +222,16 @@ def test_what_is_wrong_is_told_and_nothing_is_made(hand: Hand, tmp_path: Path) -
     hand.button("Cancel")
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 10)
     assert hand.main(lambda: [each.Name for each in document.Objects]) == names
+    close_while_it_reads(hand, document.Name)
+
+
+def close_while_it_reads(hand: Hand, name: str) -> None:
+    """Close the document under the panel's question: its answer finds no panel, and the report stays empty."""
+    from CNCStepper.workbench.calculation.drawing_process import process
+
+    hand.command("CNCStepper_Template")
+    hand.wait(lambda: hand.exists(RULES), 20, "the panel")
+    panel = hand.main(the_panel)
+    hand.main(lambda: (panel._ask(), FreeCAD.closeDocument(name)))
+    hand.wait(lambda: not process()._asked, 20, "the end of the question")
+    hand.wait(lambda: not hand.exists(RULES), 10, "the panel's end")

@@ -156,7 +156,7 @@ def labels_of_ours() -> list[str]:
 
 def widgets_of_panel() -> list[Any]:
     """Return what can be touched of the open panel: its fields, its buttons, OK and Cancel."""
-    ours = [widget for widget in QtGui.QApplication.allWidgets() if widget.objectName().startswith("CNCStepper_Panel_")]
+    ours = [widget for widget in places.all_widgets() if widget.objectName().startswith("CNCStepper_Panel_")]
     return [widget for widget in ours if not widget.objectName().endswith(LEFT_ALONE)]
 
 

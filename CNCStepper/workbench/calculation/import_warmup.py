@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Loads what the first panels need in a background thread, soon after the workbench is open.
+"""Loads what the first panels need, soon after the workbench is open.
 
-Loaded by the window's thread, with the first panel, it would keep that from its events for half a second and more.
+Loaded with the first panel, it would keep the window from its events for half a second and more.
 
 opening.py ──► after AFTER_MS: begin ──► thread: modules of the core, then one kernel: numba loads as much for it
+               begin_in_window ──► when these are loaded: one of the window's own modules in each of its events
 """
 
 from __future__ import annotations
 
 import importlib
+from collections.abc import Iterator
 from concurrent.futures import Future
+from typing import Any
 
 from CNCStepper.control.processes.background_thread import in_background
 
@@ -23,6 +26,36 @@ MODULES = (  # of the core alone: modules of FreeCAD and Qt belong to the window
     "CNCStepper.job.curve_fit_cache",
     "CNCStepper.job.nesting.nest_data",
     "CNCStepper.job.nesting.nest_form",
+    "CNCStepper.cycles.catalogue",
+    "CNCStepper.cycles.facing.face_parameters",
+    "CNCStepper.cycles.holes.hole_parameters",
+    "CNCStepper.cycles.pockets.pocket_parameters",
+    "CNCStepper.machine.libraries.operation_presets",
+    "CNCStepper.job.model",
+)
+WINDOW_MODULES = (  # an import of `api` or of the panels is long as a whole: its parts come first
+    "CNCStepper.workbench.document.drawing_files",
+    "CNCStepper.workbench.document.macro_recorder",
+    "CNCStepper.workbench.calculation.deferred_cuts",
+    "CNCStepper.workbench.features.job",
+    "CNCStepper.workbench.features.bore",
+    "CNCStepper.workbench.features.pocket",
+    "CNCStepper.workbench.features.sheet_cut",
+    "CNCStepper.workbench.features.catalogue",
+    "CNCStepper.workbench.features.drawings.drawing",
+    "CNCStepper.workbench.features.drawings.nest",
+    "CNCStepper.workbench.features.drawings.slices",
+    "CNCStepper.workbench.features.drawings.text",
+    "CNCStepper.workbench.features.freehand",
+    "CNCStepper.workbench.features.programs.arrangement",
+    "CNCStepper.workbench.features.turning.lathe_job",
+    "CNCStepper.workbench.features.turning.turning_tool",
+    "CNCStepper.workbench.api",
+    "CNCStepper.workbench.panels.fields",
+    "CNCStepper.workbench.panels.remedies",
+    "CNCStepper.workbench.panels.form",
+    "CNCStepper.workbench.panels.object_form",
+    "CNCStepper.workbench.panels.catalogue",
 )
 
 
@@ -38,3 +71,27 @@ def load() -> None:
     from CNCStepper.geometry.curve import from_points
 
     _ = from_points([(0.0, 0.0), (1.0, 0.0)], closed=False).length_mm
+
+
+def begin_in_window() -> None:
+    """Load all, and then what belongs to the window's thread, in that thread."""
+    from PySide import QtCore
+
+    from CNCStepper.workbench.calculation.preloading import LOOK_EVERY_MS
+    from CNCStepper.workbench.services.messages import guarded
+
+    loaded, left = begin(), iter(WINDOW_MODULES)
+    timer = QtCore.QTimer(QtCore.QCoreApplication.instance())
+    timer.timeout.connect(guarded(lambda: _load_next(loaded, left, timer)))
+    timer.start(LOOK_EVERY_MS)
+
+
+def _load_next(loaded: Future[None], left: Iterator[str], timer: Any) -> None:
+    if not loaded.done():
+        return
+    if (name := next(left, "")) and loaded.exception() is None:
+        importlib.import_module(name)
+        return
+    timer.stop()
+    timer.deleteLater()
+    loaded.result()

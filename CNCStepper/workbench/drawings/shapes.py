@@ -128,8 +128,8 @@ def box_of(obj: Any) -> Any:
 
 
 def box_round(shapes: list[Any]) -> Any:
-    """Return the bounding box of several shapes."""
-    return box_of_boxes([shape.BoundBox for shape in shapes])
+    """Return the bounding box of several shapes, of curves themselves and not of the chords that show them."""
+    return box_of_boxes([shape.optimalBoundingBox(False) for shape in shapes])
 
 
 def box_of_boxes(boxes: list[Any]) -> Any:

@@ -444,9 +444,26 @@ def field_class(entry: Property) -> type[Field]:
     return KINDS.get(entry.type, NumberField)
 
 
+class NoteLabel(QtGui.QLabel):
+    """A label that wraps, at least as high as its lines are: Qt's form layout may give it less in a style sheet."""
+
+    def setText(self, text: str) -> None:
+        """Show a text, and hold its lines."""
+        super().setText(text)
+        self._hold_lines()
+
+    def resizeEvent(self, event: Any) -> None:
+        """Follow the width; Qt calls this."""
+        super().resizeEvent(event)
+        self._hold_lines()
+
+    def _hold_lines(self) -> None:
+        self.setMinimumHeight(self.heightForWidth(self.width()) if self.text() else 0)
+
+
 def note_label(name: str, colour: str, parent: Any) -> Any:
     """Return a small label that wraps, for notes below fields; it is hidden."""
-    note = QtGui.QLabel(parent)
+    note = NoteLabel(parent)
     note.setObjectName(name)
     note.setWordWrap(True)
     note.setTextFormat(QtCore.Qt.TextFormat.PlainText)

@@ -10,7 +10,7 @@ from PySide import QtGui
 from CNCStepper.workbench.document.default_values import stock_of_drawing, stock_of_solid, untyped_feeds
 from CNCStepper.workbench.document.preferred_values import thickness_mm
 from CNCStepper.workbench.document.stock_of_job import CYLINDER
-from CNCStepper.workbench.drawings.shapes import box_round, round_box
+from CNCStepper.workbench.drawings.shapes import box_round, placed_shape, round_box
 from CNCStepper.workbench.features.base import edit
 from CNCStepper.workbench.features.cut_values import CHART
 from CNCStepper.workbench.features.cycle_operation import linked_drawings
@@ -122,7 +122,7 @@ class JobPanel(ProgramJobPanel):
         import FreeCADGui
 
         drawn = [drawing for operation in self.job.Operations for drawing in linked_drawings(operation)]
-        shapes = [obj.Shape for obj in FreeCADGui.Selection.getSelection() or drawn if hasattr(obj, "Shape")]
+        shapes = [placed_shape(obj) for obj in FreeCADGui.Selection.getSelection() or drawn]
         shapes = [shape for shape in shapes if not shape.isNull() and shape.BoundBox.isValid()]
         if not shapes:
             self.editor.form.mark("stock_size_mm", tr("Select a drawing or a solid first"))

@@ -17,7 +17,7 @@ from typing import Any
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.tools.tool_shapes import SUITED
 from CNCStepper.workbench.document import default_values
-from CNCStepper.workbench.drawings.shapes import box_round
+from CNCStepper.workbench.drawings.shapes import box_round, placed_shape
 from CNCStepper.workbench.features.base import JOB, edit, entry_of, value_of
 from CNCStepper.workbench.features.cycle_operation import jobs_of, linked_drawings
 from CNCStepper.workbench.panels.fields import Remedy
@@ -101,6 +101,6 @@ def _value(obj: Any, key: str, value: float, take: Take) -> Remedy:
 
 
 def _fit_stock(job: Any, fitted: Callable[[], None]) -> None:
-    drawn = [drawing.Shape for operation in job.Operations for drawing in linked_drawings(operation)]
+    drawn = [placed_shape(drawing) for operation in job.Operations for drawing in linked_drawings(operation)]
     edit(job, **default_values.stock_around(box_round([shape for shape in drawn if not shape.isNull()]), job))
     fitted()

@@ -32,6 +32,7 @@ from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WorkNote, nam
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded, note
+from CNCStepper.workbench.services.object_observers import ProgramObserver
 from CNCStepper.workbench.services.standard_buttons import PanelButtons
 from CNCStepper.workbench.services.translation import tr
 from CNCStepper.workbench.services.view_fit import show_all
@@ -60,8 +61,10 @@ class TemplatePanel(PanelButtons):
         self._making: Iterator[None] | None = None
         self._remaking: RemakeBeside | None = None
         self.draft = Draft({}, path_of(drawing))
+        self._watch = ProgramObserver(drawing, lambda: None, self._close_soon, self._document_closing)
         self._view = TakenView(FreeCADGui.getDocument(drawing.Document.Name).activeView())
         self._build()
+        self.form.destroyed.connect(self._leave)  # however FreeCAD closes the panel
         self._timer = QtCore.QTimer(self.form)
         self._timer.setSingleShot(True)
         self._timer.setInterval(ASK_AFTER_MS)
@@ -259,9 +262,19 @@ class TemplatePanel(PanelButtons):
     def _end_question(self) -> None:
         self._timer.stop()
         self.work.end()
+        self._forget_question()
+
+    def _forget_question(self) -> None:
         if self._question is not None:
             self._question.end()
             self._question = None
+
+    def _leave(self, *_form: Any) -> None:
+        """Take back what is begun, in the document and in its view; a second time there is nothing."""
+        self._watch.end()
+        self._undo()
+        self._forget_question()
+        self._view.end()
 
     def _counted(self, answer: Content) -> None:
         self._end_question()
@@ -332,7 +345,7 @@ class TemplatePanel(PanelButtons):
         if document is not None:
             document.commitTransaction()
         self._close()
-        show_all()
+        QtCore.QTimer.singleShot(0, guarded(show_all))  # an event of its own: each takes some 20 ms
 
     def _undo(self) -> None:
         """Take back what is made of the job so far."""
@@ -352,12 +365,20 @@ class TemplatePanel(PanelButtons):
         self._close()
         return True
 
+    def _document_closing(self, name: str) -> None:
+        if name == self._place[0]:
+            self._close_soon()
+
+    def _close_soon(self) -> None:
+        """Close when the drawing, or its document, is gone."""
+        self._forget_question()
+        QtCore.QTimer.singleShot(0, guarded(self._close))
+
     def _close(self) -> None:
         import FreeCADGui
 
-        self._undo()
         self._end_question()
-        self._view.end()
+        self._leave()
         FreeCADGui.Control.closeDialog()
 
     # --- files -------------------------------------------------------------------------------------

@@ -45,8 +45,9 @@ class TakenView:
         self._lines.numVertices.setNum(len(shown))
 
     def end(self) -> None:
-        """Take them out of the view."""
-        self._root.removeChild(self._node)
+        """Take them out of the view, where they still are."""
+        if self._root.findChild(self._node) >= 0:
+            self._root.removeChild(self._node)
 
 
 def _chord_mm(curve: Curve) -> float:
