@@ -105,7 +105,8 @@ def _rounded(one_mm: float, other_mm: float) -> tuple[float, float]:
 class _Slabs(NamedTuple):
     """A region between any two of its corners along z: columns are the begin, the middle and the end of each slab.
 
-    z, low, high: float64[n, 3], places and the least and the greatest radius there; at a step those within the slab.
+    z, low, high: float64[n, 3], places and the least and the greatest radius there; at a step those within the slab,
+    NaN at a tip that is too thin to be met.
     """
 
     z: np.ndarray
@@ -122,7 +123,7 @@ def _slabs(region: BaseGeometry) -> _Slabs:
     _, r_low, _, r_high = region.bounds
     ends = np.stack([np.broadcast_to(r, z.shape) for r in (r_low - 1.0, r_high + 1.0)], axis=-1)
     lines = shapely.linestrings(np.stack([np.broadcast_to(inside[..., None], ends.shape), ends], axis=-1))
-    met = np.nan_to_num(shapely.bounds(shapely.intersection(region, lines)))
+    met = shapely.bounds(shapely.intersection(region, lines))
     return _Slabs(z, met[..., 1], met[..., 3])
 
 
@@ -133,10 +134,11 @@ def _deepest(slabs: _Slabs, part: BaseGeometry) -> tuple[float, float, tuple[flo
     middle.
     """
     z, low, high = slabs
-    radii = np.stack([low, (low + high) / 2, high])
+    radii = np.nan_to_num(np.stack([low, (low + high) / 2, high]))
     away_mm = shapely.distance(shapely.points(np.broadcast_to(z, radii.shape), radii), part).max(axis=0)
     if part.is_empty:
         away_mm = high - low
+    away_mm = np.where(np.isnan(low), -np.inf, away_mm)
     off_mm = np.where(away_mm >= away_mm.max() - SAME_MM, np.abs(z - (z.min() + z.max()) / 2), np.inf)
     place = np.unravel_index(np.argmin(off_mm), off_mm.shape)
     return float(away_mm.max()), float(z[place]), (float(low[place]), float(high[place]))
@@ -151,7 +153,7 @@ def _near(part: BaseGeometry, region: BaseGeometry, size_mm: float) -> BaseGeome
 
 def _thicker_than(slabs: _Slabs, least_mm: float) -> tuple[float, float] | None:
     """Return from where to where along z a region is thicker than that along r; None where it is so nowhere."""
-    thick = (slabs.high - slabs.low - least_mm)[:, [0, 2]]
+    thick = np.nan_to_num(slabs.high - slabs.low)[:, [0, 2]] - least_mm
     some = np.flatnonzero((thick > 0).any(axis=1))
     if not len(some):
         return None

@@ -78,9 +78,24 @@ def test_a_bore_and_a_thread_are_compared_by_their_profiles() -> None:
     insert = TurningTool(number=1, kind="threading", tip_angle_deg=60, nose_radius_mm=0)
     threads = compared(THREAD.format(pitch="1.5"), THREAD.format(pitch="2"), setup(insert, diameter_mm=54))
     assert threads.part is not None and len(threads.part.rings) > 10
+    assert all(0.02 < ring.depth_mm < 1 and ring.side == "outer" for ring in threads.part.rings)
     shown = [name for name, *_ in rows(threads) if name.startswith("diameter at")]
     assert 1 < len(shown) <= 12
     assert f"the turned parts differ at {len(threads.part.rings)} places" in list(sentences(threads))
+
+
+def test_a_threads_deeper_pass_is_told_in_each_groove_and_nowhere_else() -> None:
+    job, machine = load_turning_job(JOBS / "lathe-thread.toml")
+    text = make_turning(job, machine)[1].program
+    lathe, start = setup_of_job(job, machine, [text], None, None)
+    one, other = (
+        ComparedProgram(name, each, machine.language(), start, lathe)
+        for name, each in (("a.nc", text), ("b.nc", text.replace("X-8.3656 ", "X-8.5656 ")))
+    )
+    found = compare_programs(one, other)
+    assert found.part is not None and 20 < len(found.part.rings) < 30
+    assert all(ring.side == "outer" and not ring.first and 0.02 < ring.depth_mm < 0.2 for ring in found.part.rings)
+    assert all(ring.diameters_mm[1] - ring.diameters_mm[0] < 0.4 for ring in found.part.rings)
 
 
 def test_bars_that_differ_nothing_cut_and_unknown_tools_are_told() -> None:
