@@ -66,6 +66,7 @@ NO_SENTENCES = {
     "picture_style.py",
     "drawing_picture.py",
     "comparison_picture.py",
+    "turned_picture.py",
     "svg_writer.py",
     "readings_plot.py",
     "path_commands.py",

@@ -13498,6 +13498,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>--part goes with the --job of a lathe</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>--position X,Y,Z says where the machine stands at first, --parameters FILE the places of G28 and G30</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13827,7 +13831,7 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>Comments, line numbers, units, modal words, arcs written as chords and lines divided otherwise make no difference. Times are the job's machine's or table-a's unless told. With --stock and --tool, --bar and --turning-tool, or --job, the parts that both cut are compared too. Exit 0 where the motion is the same, 1 where it differs.</source>
+            <source>Comments, line numbers, units, modal words, arcs written as chords and lines divided otherwise make no difference. Times are the job's machine's or table-a's unless told. With --stock and --tool, --bar and --turning-tool, or --job, the parts that both cut are compared too: of a lathe their exact profiles, diameter by diameter. Exit 0 where the motion is the same, 1 where it differs.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15312,6 +15316,10 @@ the height</source>
         </message>
         <message>
             <source>Which program of a job that is split, one a tool.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Which program of a lathe's job both are, where the machine wants one a tool.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18157,6 +18165,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a ring between ø{low_mm:.3f} and ø{high_mm:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a rotation of {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19085,11 +19097,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>bore at Z{z_mm:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>bore_mm belongs to a stock of the form 'tube', and to no other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bores of ø{one_mm:.3f} and ø{other_mm:.3f}, {by_mm:.3f} mm in diameter</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19486,6 +19506,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>choose the zip of 'make installer', or the folder in which its .whl files are</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose two programs of a mill, or two of a lathe</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20025,6 +20049,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>diameter at Z{z_mm:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>diameters must rise, and each range lead from its least value above 0 to its most</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20262,6 +20290,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>enlarge Q</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>enlarged {times:.3g} times</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21017,6 +21049,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>in both parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>in inverse time every {name} needs its own F above 0</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21622,6 +21658,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>largest deviation: {distance:.3f} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>largest difference: {distance:.3f} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23581,6 +23621,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>rapid moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>rapid only here</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23594,6 +23638,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>rapids move at the feed in force: no F for them was given</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>raw bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23690,6 +23738,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>remove the lines with `%`</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>removed only by {name}: {volume:.3f} cm³</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23802,6 +23854,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>retracted along the cut: go further back, forward, or resume from here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ring at Z{z_mm:.3f}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24806,6 +24862,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the bar sticks out of the chuck too far for its diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the bars differ, {first} and {second}: both parts are cut out of the first one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27709,6 +27769,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the turned parts are the same within {same_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the turned parts differ at {count} places</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the turned parts differ by up to {depth_mm:.3f} mm at Z{z_mm:.3f}: {diameters}, from Z{begin_mm:.3f} to Z{end_mm:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the value is no finite number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30485,6 +30557,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{mill} is a mill's program and {lathe} a lathe's</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{missing} cut(s) end without a lead-out: there is no scrap for it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30542,6 +30618,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{name} cannot be used as a serial port: {text}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} cuts nothing of the bar</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30633,6 +30713,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} moves along Y: a lathe's bar and tools do not cut it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} moves with the spindle, whose speed is not set</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30698,6 +30782,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{name}, version {version}, on {board}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name}: the shape of tool {tool} is not known, its cuts from line {line} on are left out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -31030,6 +31118,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>~ is a command to the controller (cycle start), not part of a program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ø{diameter:g} × {length:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ø{diameter:g} × {length:g} mm with a bore of ø{bore:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>ø{one_mm:.3f} and ø{other_mm:.3f}, {by_mm:.3f} mm in diameter</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

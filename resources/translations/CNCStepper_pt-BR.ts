@@ -13514,6 +13514,10 @@ altura</translation>
             <translation>--part vai com um trabalho dividido em um programa por ferramenta</translation>
         </message>
         <message>
+            <source>--part goes with the --job of a lathe</source>
+            <translation>--part acompanha o --job de um torno</translation>
+        </message>
+        <message>
             <source>--position X,Y,Z says where the machine stands at first, --parameters FILE the places of G28 and G30</source>
             <translation>--position X,Y,Z diz onde a máquina está no início, --parameters ARQUIVO os pontos de G28 e G30</translation>
         </message>
@@ -13844,8 +13848,8 @@ altura</translation>
             <translation>Comandos</translation>
         </message>
         <message>
-            <source>Comments, line numbers, units, modal words, arcs written as chords and lines divided otherwise make no difference. Times are the job's machine's or table-a's unless told. With --stock and --tool, --bar and --turning-tool, or --job, the parts that both cut are compared too. Exit 0 where the motion is the same, 1 where it differs.</source>
-            <translation>Comentários, números de linha, unidades, palavras modais, arcos escritos como cordas e linhas divididas de outro modo não fazem diferença. Os tempos são os da máquina do trabalho ou da table-a, se nada for dito. Com --stock e --tool, --bar e --turning-tool, ou --job, as peças que os dois cortam são comparadas também. Sai com 0 onde o movimento é o mesmo, com 1 onde difere.</translation>
+            <source>Comments, line numbers, units, modal words, arcs written as chords and lines divided otherwise make no difference. Times are the job's machine's or table-a's unless told. With --stock and --tool, --bar and --turning-tool, or --job, the parts that both cut are compared too: of a lathe their exact profiles, diameter by diameter. Exit 0 where the motion is the same, 1 where it differs.</source>
+            <translation>Comentários, números de linha, unidades, palavras modais, arcos escritos como cordas e linhas divididas de outro modo não fazem diferença. Os tempos são os da máquina do trabalho ou da table-a, se nada for dito. Com --stock e --tool, --bar e --turning-tool, ou --job, as peças que os dois cortam são comparadas também: as de um torno pelos seus perfis exatos, diâmetro por diâmetro. Sai com 0 onde o movimento é o mesmo, com 1 onde difere.</translation>
         </message>
         <message>
             <source>Compare the controller at --port with OTHER: a backup's file, or a machine profile by its name.</source>
@@ -15330,6 +15334,10 @@ altura</translation>
         <message>
             <source>Which program of a job that is split, one a tool.</source>
             <translation>Que programa de um trabalho dividido, um por ferramenta.</translation>
+        </message>
+        <message>
+            <source>Which program of a lathe's job both are, where the machine wants one a tool.</source>
+            <translation>Que programa do trabalho de um torno ambos são, onde a máquina quer um por ferramenta.</translation>
         </message>
         <message>
             <source>Which program of the job it is, where the machine wants one a tool.</source>
@@ -18181,6 +18189,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma ferramenta de tornear à direita</translation>
         </message>
         <message>
+            <source>a ring between ø{low_mm:.3f} and ø{high_mm:.3f}</source>
+            <translation>um anel entre ø{low_mm:.3f} e ø{high_mm:.3f}</translation>
+        </message>
+        <message>
             <source>a rotation of {0}</source>
             <translation>uma rotação de {0}</translation>
         </message>
@@ -19109,12 +19121,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desfoque a imagem, reduza-a ou escolha outro limiar</translation>
         </message>
         <message>
+            <source>bore at Z{z_mm:.3f}</source>
+            <translation>furo em Z{z_mm:.3f}</translation>
+        </message>
+        <message>
             <source>bore_mm belongs to a stock of the form 'tube', and to no other</source>
             <translation>bore_mm pertence a um material da forma 'tube', e a nenhum outro</translation>
         </message>
         <message>
             <source>bore_mm must be below diameter_mm, {limit}</source>
             <translation>bore_mm deve ser menor que diameter_mm, {limit}</translation>
+        </message>
+        <message>
+            <source>bores of ø{one_mm:.3f} and ø{other_mm:.3f}, {by_mm:.3f} mm in diameter</source>
+            <translation>furos de ø{one_mm:.3f} e ø{other_mm:.3f}, {by_mm:.3f} mm no diâmetro</translation>
         </message>
         <message>
             <source>boring</source>
@@ -19511,6 +19531,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>choose the zip of 'make installer', or the folder in which its .whl files are</source>
             <translation>escolha o zip de 'make installer', ou a pasta em que estão os arquivos .whl dele</translation>
+        </message>
+        <message>
+            <source>choose two programs of a mill, or two of a lathe</source>
+            <translation>escolha dois programas de uma fresadora, ou dois de um torno</translation>
         </message>
         <message>
             <source>circles and points of several drawings that stand about the same centre, one hole each: {twice}</source>
@@ -20049,6 +20073,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>descreva-a em uma tabela [[tool]]</translation>
         </message>
         <message>
+            <source>diameter at Z{z_mm:.3f}</source>
+            <translation>diâmetro em Z{z_mm:.3f}</translation>
+        </message>
+        <message>
             <source>diameters must rise, and each range lead from its least value above 0 to its most</source>
             <translation>os diâmetros têm de crescer, e cada faixa ir do seu menor valor acima de 0 ao maior</translation>
         </message>
@@ -20287,6 +20315,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>enlarge Q</source>
             <translation>aumente Q</translation>
+        </message>
+        <message>
+            <source>enlarged {times:.3g} times</source>
+            <translation>ampliado {times:.3g} vezes</translation>
         </message>
         <message>
             <source>enter by a helix or ramp, or in the middle of a hole drilled before</source>
@@ -21041,6 +21073,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nos dois</translation>
         </message>
         <message>
+            <source>in both parts</source>
+            <translation>nas duas peças</translation>
+        </message>
+        <message>
             <source>in inverse time every {name} needs its own F above 0</source>
             <translation>em tempo inverso cada {name} precisa do seu próprio F maior que 0</translation>
         </message>
@@ -21647,6 +21683,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>largest deviation: {distance:.3f} mm</source>
             <translation>maior desvio: {distance:.3f} mm</translation>
+        </message>
+        <message>
+            <source>largest difference: {distance:.3f} mm</source>
+            <translation>maior diferença: {distance:.3f} mm</translation>
         </message>
         <message>
             <source>laser mode</source>
@@ -23605,6 +23645,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>comprimento de rápidos</translation>
         </message>
         <message>
+            <source>rapid moves</source>
+            <translation>movimentos rápidos</translation>
+        </message>
+        <message>
             <source>rapid only here</source>
             <translation>rápido só aqui</translation>
         </message>
@@ -23619,6 +23663,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>rapids move at the feed in force: no F for them was given</source>
             <translation>os rápidos usam o avanço em vigor: nenhum F foi dado para eles</translation>
+        </message>
+        <message>
+            <source>raw bar</source>
+            <translation>barra bruta</translation>
         </message>
         <message>
             <source>read as a flat mill: '{name}' does not name a shape</source>
@@ -23715,6 +23763,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>remove the lines with `%`</source>
             <translation>retire as linhas com `%`</translation>
+        </message>
+        <message>
+            <source>removed only by {name}: {volume:.3f} cm³</source>
+            <translation>removido só por {name}: {volume:.3f} cm³</translation>
         </message>
         <message>
             <source>removed only here</source>
@@ -23827,6 +23879,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>retracted along the cut: go further back, forward, or resume from here</source>
             <translation>de volta ao longo do corte: continue para trás, para a frente, ou retome daqui</translation>
+        </message>
+        <message>
+            <source>ring at Z{z_mm:.3f}</source>
+            <translation>anel em Z{z_mm:.3f}</translation>
         </message>
         <message>
             <source>route it around the part, through scrap</source>
@@ -24831,6 +24887,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the bar sticks out of the chuck too far for its diameter</source>
             <translation>a barra sai demais da placa para o seu diâmetro</translation>
+        </message>
+        <message>
+            <source>the bars differ, {first} and {second}: both parts are cut out of the first one</source>
+            <translation>as barras diferem, {first} e {second}: as duas peças são cortadas da primeira</translation>
         </message>
         <message>
             <source>the bars' width</source>
@@ -27733,6 +27793,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a rotação do sistema de coordenadas entrou nas coordenadas</translation>
         </message>
         <message>
+            <source>the turned parts are the same within {same_mm:g} mm</source>
+            <translation>as peças torneadas são iguais dentro de {same_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>the turned parts differ at {count} places</source>
+            <translation>as peças torneadas diferem em {count} lugares</translation>
+        </message>
+        <message>
+            <source>the turned parts differ by up to {depth_mm:.3f} mm at Z{z_mm:.3f}: {diameters}, from Z{begin_mm:.3f} to Z{end_mm:.3f}</source>
+            <translation>as peças torneadas diferem em até {depth_mm:.3f} mm em Z{z_mm:.3f}: {diameters}, de Z{begin_mm:.3f} a Z{end_mm:.3f}</translation>
+        </message>
+        <message>
             <source>the value is no finite number</source>
             <translation>o valor não é um número finito</translation>
         </message>
@@ -30509,6 +30581,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{meaning} (error:{error})</translation>
         </message>
         <message>
+            <source>{mill} is a mill's program and {lathe} a lathe's</source>
+            <translation>{mill} é um programa de fresadora e {lathe} um de torno</translation>
+        </message>
+        <message>
             <source>{missing} cut(s) end without a lead-out: there is no scrap for it</source>
             <translation>{missing} corte(s) termina(m) sem saída: não há retalho para isso</translation>
         </message>
@@ -30567,6 +30643,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{name} cannot be used as a serial port: {text}</source>
             <translation>{name} não pode ser usado como porta serial: {text}</translation>
+        </message>
+        <message>
+            <source>{name} cuts nothing of the bar</source>
+            <translation>{name} não corta nada da barra</translation>
         </message>
         <message>
             <source>{name} has no feed</source>
@@ -30657,6 +30737,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{name} não pode ser usado</translation>
         </message>
         <message>
+            <source>{name} moves along Y: a lathe's bar and tools do not cut it</source>
+            <translation>{name} se move em Y: a barra e as ferramentas de um torno não o cortam</translation>
+        </message>
+        <message>
             <source>{name} moves with the spindle, whose speed is not set</source>
             <translation>{name} se move com o fuso, cuja rotação não foi definida</translation>
         </message>
@@ -30723,6 +30807,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{name}, version {version}, on {board}</source>
             <translation>{name}, versão {version}, em {board}</translation>
+        </message>
+        <message>
+            <source>{name}: the shape of tool {tool} is not known, its cuts from line {line} on are left out</source>
+            <translation>{name}: a forma da ferramenta {tool} não é conhecida, seus cortes da linha {line} em diante ficam de fora</translation>
         </message>
         <message>
             <source>{number:.0f} pulses/s, the worst {worst_us:.0f} µs late</source>
@@ -31055,6 +31143,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>~ is a command to the controller (cycle start), not part of a program</source>
             <translation>~ é um comando para o controlador (iniciar ciclo), não faz parte de um programa</translation>
+        </message>
+        <message>
+            <source>ø{diameter:g} × {length:g} mm</source>
+            <translation>ø{diameter:g} × {length:g} mm</translation>
+        </message>
+        <message>
+            <source>ø{diameter:g} × {length:g} mm with a bore of ø{bore:g} mm</source>
+            <translation>ø{diameter:g} × {length:g} mm com um furo de ø{bore:g} mm</translation>
+        </message>
+        <message>
+            <source>ø{one_mm:.3f} and ø{other_mm:.3f}, {by_mm:.3f} mm in diameter</source>
+            <translation>ø{one_mm:.3f} e ø{other_mm:.3f}, {by_mm:.3f} mm no diâmetro</translation>
         </message>
     </context>
     <context>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Two programs are compared by clicks: the job's own against a file, and two files; picture, figures, refusal."""
+"""Two programs are compared by clicks: a job's own against a file, two files, a lathe's; picture, figures, refusal."""
 
 from __future__ import annotations
 
@@ -14,10 +14,12 @@ from PySide import QtGui
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document import program_file
+from CNCStepper.workbench.document.job_files import open_job
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
 C = "CNCStepper_Comparison"
+JOBS = Path(__file__).parents[2] / "examples" / "jobs"
 COMPARED_S = 240  # the first comparison may compile kernels
 
 
@@ -30,6 +32,13 @@ def new_job() -> Any:
     job = api.new_job(document, machine="table-a", stock_size_mm=(100, 70, 20), work_origin_mm=(50, 35, 0))
     cutter = api.add_tool(job, diameter_mm=6, feed_mm_min=800, plunge_mm_min=200, spindle_rpm=10000)
     api.add_elliptical_pocket(job, tool=cutter, radius_x_mm=30, radius_y_mm=22, depth_mm=2, stepdown_mm=2)
+    document.recompute()
+    return job
+
+
+def new_shaft() -> Any:
+    document = FreeCAD.newDocument("Shaft")
+    job, _ = open_job(document, JOBS / "lathe-cylinder.toml")
     document.recompute()
     return job
 
@@ -51,6 +60,12 @@ def window(hand: Hand) -> Iterator[Any]:
 @pytest.fixture
 def job(hand: Hand) -> Any:
     return hand.main(new_job)
+
+
+@pytest.fixture
+def shaft(hand: Hand, job: Any) -> Any:
+    """A lathe's job beside the mill's."""
+    return hand.main(new_shaft, limit_s=COMPARED_S)
 
 
 def choose_file(hand: Hand, which: str, path: Path) -> None:
@@ -96,6 +111,37 @@ def test_a_jobs_program_is_compared_with_a_file(hand: Hand, job: Any, window: An
     hand.main(widget(f"{C}_save_file").findChild(QtGui.QLineEdit).setText, str(picture))
     hand.key("Return")
     hand.wait(picture.exists, 5, "the picture")
+
+
+@pytest.mark.window("plain", "portuguese")
+def test_a_lathes_program_is_compared_by_its_diameters_and_with_no_mills(
+    hand: Hand, job: Any, shaft: Any, window: Any, tmp_path: Path
+) -> None:
+    text = hand.main(program_file.load, shaft)
+    thinner = tmp_path / "thinner.nc"
+    thinner.write_text(text.replace("X-7.5000", "X-7.5500"), encoding="utf-8")  # from the start at X32.5
+    hand.choose(f"{C}_first", hand.main(lambda: window.sources[0].itemText(window.sources[0].findData(shaft))))
+    choose_file(hand, "second", thinner)
+    answer = compare(hand, window)
+    assert answer is not None, hand.text(f"{C}_error")
+    (ring,) = answer["report"]["part"]["rings"]
+    assert ring["diameters_mm"] == pytest.approx([49.9, 50], abs=1e-6) and not ring["first"]
+    name, *values = answer["rows"][-1]
+    assert values == ["ø50.000", "ø49.900"] and "diameter at Z-" in name
+    shown = hand.main(lambda: [window.figures.item(window.figures.rowCount() - 1, at).text() for at in (1, 2)])
+    assert [each.replace(",", ".") for each in shown] == values
+    assert "ø49" in hand.text(f"{C}_words")
+    words = hand.main(window._question)["words"]
+    assert (words["second"], words["rapid"]) in (
+        ("only in {name}", "rapid moves"),
+        ("só em {name}", "movimentos rápidos"),
+    )
+    hand.shot("comparison-lathe")
+    assert hand.main(places.narrower_than_their_text, window) == []
+    hand.choose(f"{C}_second", hand.main(lambda: window.sources[1].itemText(window.sources[1].findData(job))))
+    assert compare(hand, window) is answer
+    assert hand.main(lambda: job.Label) in hand.text(f"{C}_error")
+    hand.shot("comparison-refused")
 
 
 def test_two_files_are_the_same_and_a_bad_one_is_refused(hand: Hand, window: Any, tmp_path: Path) -> None:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import wraps
 from pathlib import Path
@@ -18,7 +18,9 @@ from CNCStepper.errors import Text
 from CNCStepper.machine.profile import Machine
 
 if TYPE_CHECKING:
+    from CNCStepper.job.comparison.lathe_setup import LatheSetup
     from CNCStepper.job.prove import Proof
+    from CNCStepper.job.turning.prove_program import TurnedBar
     from CNCStepper.job.turning.report import TurnedVerdict
     from CNCStepper.machine.tools.turning_tool import TurningTool
     from CNCStepper.state import Start
@@ -86,7 +88,7 @@ class LatheOptions:
         part: int | None = None,
     ) -> tuple[Proof, TurnedVerdict]:
         """Return the proof of a lathe program and the verdict on its part; part: which program of the job it is."""
-        from CNCStepper.job.turning.prove_program import TurnedBar, prove_text_of_job, prove_turned
+        from CNCStepper.job.turning.prove_program import prove_text_of_job, prove_turned
 
         words: dict[str, Any] = {"file": file, "dialect": dialect, "start": start}
         if self.bar_mm is None:
@@ -94,9 +96,34 @@ class LatheOptions:
             return prove_text_of_job(text, given.job_path, machine, part=part, **words)
         if part is not None:
             raise click.UsageError(Text("--part goes with --job"))
+        return prove_turned(text, machine, self._bar(), {tool.number: tool for tool in self.tools}, **words)
+
+    def setup(
+        self,
+        texts: Sequence[str],
+        given: ProgramOptions,
+        machine: Machine,
+        dialect: str,
+        start: Start | None,
+        part: int | None,
+    ) -> tuple[LatheSetup, Start | None]:
+        """Return what cuts compared lathe programs, and in which state they begin; part: which of the job's."""
+        from CNCStepper.job.comparison.lathe_setup import setup_of_bar, setup_of_job
+        from CNCStepper.job.turning.turning_job import load_turning_job
+
+        if self.bar_mm is None:
+            assert given.job_path is not None  # turns() has looked
+            return setup_of_job(load_turning_job(given.job_path)[0], machine, texts, part, start, dialect)
+        if part is not None:
+            raise click.UsageError(Text("--part goes with --job"))
+        return setup_of_bar(self._bar(), {tool.number: tool for tool in self.tools}, machine, dialect, start), start
+
+    def _bar(self) -> TurnedBar:
+        from CNCStepper.job.turning.prove_program import TurnedBar
+
+        assert self.bar_mm is not None
         diameter_mm, length_mm, bore_mm = (*self.bar_mm, 0.0)[:3]
-        stock = TurnedBar(diameter_mm, length_mm, bore_mm, self.face_mm)
-        return prove_turned(text, machine, stock, {tool.number: tool for tool in self.tools}, **words)
+        return TurnedBar(diameter_mm, length_mm, bore_mm, self.face_mm)
 
 
 def lathe_options(function: Callable[..., Any]) -> Callable[..., Any]:

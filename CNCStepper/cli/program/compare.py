@@ -17,15 +17,14 @@ from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
+from CNCStepper.errors import Text
 from CNCStepper.machine.profile import Machine, load_machine
 from CNCStepper.tolerances import SAME_PATH_MM
 
 if TYPE_CHECKING:
-    from CNCStepper.job.comparison.compare_programs import ComparedProgram, PartOf, ProgramComparison
-    from CNCStepper.job.comparison.part_difference import CutPart
-    from CNCStepper.toolpath import Toolpath
+    from CNCStepper.job.comparison.compare_programs import PartOf, ProgramComparison
 
-NAME_COLUMN, VALUE_COLUMN = 20, 26
+NAME_COLUMN, VALUE_COLUMN = 24, 26
 DIFFER = 1  # the exit status, as of `diff`
 
 
@@ -45,6 +44,11 @@ DIFFER = 1  # the exit status, as of `diff`
     show_default=True,
     help="How far apart paths may be that are one, mm.",
 )
+@click.option(
+    "--part",
+    type=click.IntRange(1),
+    help="Which program of a lathe's job both are, where the machine wants one a tool.",
+)
 def command(
     first: Path,
     second: Path,
@@ -52,6 +56,7 @@ def command(
     json_path: Path | None,
     second_dialect: str | None,
     same_mm: float,
+    part: int | None,
     given: ProgramOptions,
     lathe: LatheOptions,
 ) -> None:
@@ -59,7 +64,8 @@ def command(
 
     Comments, line numbers, units, modal words, arcs written as chords and lines divided otherwise make no difference.
     Times are the job's machine's or table-a's unless told. With --stock and --tool, --bar and --turning-tool, or --job,
-    the parts that both cut are compared too. Exit 0 where the motion is the same, 1 where it differs.
+    the parts that both cut are compared too: of a lathe their exact profiles, diameter by diameter. Exit 0 where the
+    motion is the same, 1 where it differs.
     """
     from CNCStepper.job.comparison.compare_programs import ComparedProgram, compare_programs, report_of
 
@@ -69,13 +75,16 @@ def command(
     dialect, start = given.dialect_on(machine), given.start_options.start()
     if job := given.job_and_machine()[0]:
         start = job.started(start, machine)
-    programs = [
-        ComparedProgram(str(path), read_program(path), language, start)
-        for path, language in ((first, dialect), (second, second_dialect or dialect))
-    ]
+    if part is not None and not turns:
+        raise click.UsageError(Text("--part goes with the --job of a lathe"))
+    texts = [read_program(first), read_program(second)]
+    programs, milled = [], job is not None or given.stock is not None
+    for path, text, language in zip((first, second), texts, (dialect, second_dialect or dialect), strict=True):
+        setup = lathe.setup(texts, given, machine, language, start, part) if turns else (None, start)
+        programs.append(ComparedProgram(str(path), text, language, setup[1], setup[0], milled))
     with Progress("comparing") as progress:
         words: dict[str, Any] = {"machine": machine, "same_mm": same_mm, "share": progress.share}
-        found = compare_programs(*programs, part_of=_part_of(given, lathe, machine, turns), **words)
+        found = compare_programs(*programs, part_of=None if turns else _part_of(given, machine), **words)
     _show(found)
     if out is not None:
         _draw(out, found)
@@ -84,15 +93,8 @@ def command(
     sys.exit(0 if found.paths.same else DIFFER)
 
 
-def _part_of(given: ProgramOptions, lathe: LatheOptions, machine: Machine, turns: bool) -> PartOf | None:
-    """Return what cuts the stock of the options by a program, None without stock and tools."""
-    if turns:
-
-        def turned(program: ComparedProgram, path: Toolpath) -> CutPart:
-            proof = lathe.prove(program.text, given, machine, program.name, program.dialect, program.start)
-            return proof[1].part.section
-
-        return turned
+def _part_of(given: ProgramOptions, machine: Machine) -> PartOf | None:
+    """Return what cuts the stock of the options by a mill's program, None without stock and tools."""
     from CNCStepper.job.prove import tools_of
     from CNCStepper.simulation.removal.heightmap import height_map
 
@@ -118,11 +120,10 @@ def _show(found: ProgramComparison) -> None:
 
 def _draw(out: Path, found: ProgramComparison) -> None:
     """Draw the picture, in the language of the command line."""
-    from CNCStepper.simulation.comparison.picture_words import WORDS
-    from CNCStepper.simulation.views.comparison_picture import save_comparison
+    from CNCStepper.job.comparison.comparison_picture_file import save_picture
+    from CNCStepper.job.comparison.turned_picture_words import TURNED_WORDS
 
     out.parent.mkdir(parents=True, exist_ok=True)
-    one, other = (Path(name).name for name in found.names)
-    words = {key: look_up(text) for key, text in WORDS.items()}
-    save_comparison(out, found.paths, (one, other), [translated(found.verdict)], words)
+    words = {key: look_up(text) for key, text in TURNED_WORDS.items()}
+    save_picture(out, found, [translated(found.verdict)], words)
     show_text("{out}: written", out=out)

@@ -5,26 +5,35 @@
                                └──► figures, time, part            of each, side by side
 
 Comments, numbers of lines, units and modal words make no difference: only the motion, its feed, tool and speed do.
+The parts of lathe programs with a `lathe_setup.py` are compared by their exact profiles, on the bar of the first.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import Text
+import numpy as np
+
+from CNCStepper.errors import JobError, Text
 from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.gcode.lathe.diameter_mode import is_lathe_program
+from CNCStepper.job.comparison.lathe_setup import LatheSetup, bar_text
 from CNCStepper.job.comparison.part_difference import CutPart, PartDifference, part_difference
+from CNCStepper.job.comparison.turned_difference import ComparedSections
+from CNCStepper.job.comparison.turned_words import ring_rows, turned_sentences
+from CNCStepper.job.turning.make_turning import in_part
 from CNCStepper.machine.profile import Machine
 from CNCStepper.motion.interpolation.dda_stream import times_and_whole_s
 from CNCStepper.motion.planner.plan import begun
 from CNCStepper.quantities import duration_text
 from CNCStepper.simulation.comparison.path_figures import PathFigures, Range, figures_of
 from CNCStepper.simulation.comparison.path_overlay import PathComparison, compare_paths
+from CNCStepper.simulation.turning.turned_part import TurnedPart
 from CNCStepper.state import Start
-from CNCStepper.tolerances import SAME_PATH_MM
+from CNCStepper.tolerances import SAME_MM, SAME_PATH_MM
 from CNCStepper.toolpath import Toolpath
 
 Share = Callable[[float], None]
@@ -34,17 +43,22 @@ READ, COMPARED, TIMED = 0.35, 0.75, 0.9  # shares of the work by then
 
 @dataclass(frozen=True)
 class ComparedProgram:
-    """A program to compare. name: of its file or object."""
+    """A program to compare. name: of its file or object. lathe: what cuts a lathe's. milled: whether it is a mill's."""
 
     name: str
     text: str
     dialect: str = "grbl"
     start: Start | None = None
+    lathe: LatheSetup | None = None
+    milled: bool = False
 
 
 @dataclass(frozen=True)
 class ProgramComparison:
-    """Two programs; paths, figures and times_s of the first and the second. part: None without stock and tools."""
+    """Two programs; paths, figures and times_s of the first and the second.
+
+    part: None without stock and tools. turned: the parts of lathe programs, else None. bars: theirs, where they differ.
+    """
 
     names: tuple[str, str]
     same_mm: float
@@ -53,6 +67,8 @@ class ProgramComparison:
     figures: tuple[PathFigures, PathFigures]
     times_s: tuple[float, float] | None
     part: PartDifference | None
+    turned: tuple[TurnedPart, TurnedPart] | None = None
+    bars: tuple[Text, Text] | None = None
 
     @property
     def verdict(self) -> Text:
@@ -84,22 +100,94 @@ def compare_programs(
 ) -> ProgramComparison:
     """Return what two programs have in common and alone; raises ProgramError for one that cannot be read.
 
+    Raises JobError for a lathe's program and a mill's.
+
     machine: its planner gives the times. same_mm: how far paths may be apart that are one. part_of: cuts the stock by a
     program's path. share: called with the share that is done, from 0 to 1.
     """
     one = _read(first, lambda done: share(READ / 2 * done))
     other = _read(second, lambda done: share(READ / 2 * (1 + done)))
+    require_one_kind(first, one, second, other)
     paths = compare_paths(one, other, same_mm, lambda done: share(READ + (COMPARED - READ) * done))
     times_s = (_time_s(one, machine), _time_s(other, machine)) if machine else None
     share(TIMED)
-    part = part_difference(part_of(first, one), part_of(second, other)) if part_of else None
-    figures = figures_of(one), figures_of(other)
+    turned = _turned(first, one, second, other)
+    parts = turned or ((part_of(first, one), part_of(second, other)) if part_of else None)
+    part = part_difference(*parts, same_mm) if parts else None
+    figures = _figures(one), _figures(other)
     share(1.0)
-    return ProgramComparison((first.name, second.name), same_mm, (one, other), paths, figures, times_s, part)
+    names, bars = (first.name, second.name), _bars(first.lathe, second.lathe)
+    return ProgramComparison(names, same_mm, (one, other), paths, figures, times_s, part, turned, bars)
 
 
 def _read(program: ComparedProgram, share: Share) -> Toolpath:
-    return interpret(program.text, program.start, program.dialect, program.name, share)
+    path = interpret(program.text, program.start, program.dialect, program.name, share)
+    return in_part(path, program.lathe.placement) if program.lathe else path
+
+
+def require_one_kind(first: ComparedProgram, one: Toolpath, second: ComparedProgram, other: Toolpath) -> None:
+    """Raise JobError where one program is a lathe's and the other one a mill's.
+
+    A lathe's is cut with a lathe's setup, or is in the language of one; a mill's is of its job, or moves along Y.
+    """
+    names = [Path(program.name).name for program in (first, second)]
+    milled = [first.milled or _moves_along_y(one), second.milled or _moves_along_y(other)]
+    if not any(milled) or not (_is_turned(first) or _is_turned(second)):
+        return
+    advice = "choose two programs of a mill, or two of a lathe"
+    if all(milled):
+        what = Text("{name} moves along Y: a lathe's bar and tools do not cut it", name=names[0])
+        raise JobError("compare-kinds", what, advice=advice)
+    mill = milled.index(True)
+    what = Text("{mill} is a mill's program and {lathe} a lathe's", mill=names[mill], lathe=names[1 - mill])
+    raise JobError("compare-kinds", what, advice=advice)
+
+
+def _is_turned(program: ComparedProgram) -> bool:
+    return program.lathe is not None or is_lathe_program(program.text, program.dialect)
+
+
+def _moves_along_y(path: Toolpath) -> bool:
+    y_mm = path.table().end[:, 1]
+    known_mm = y_mm[np.isfinite(y_mm)]
+    return len(known_mm) > 0 and float(np.ptp(known_mm)) > SAME_MM
+
+
+def _turned(
+    first: ComparedProgram, one: Toolpath, second: ComparedProgram, other: Toolpath
+) -> tuple[TurnedPart, TurnedPart] | None:
+    """Return what two lathe programs leave of the bar of the first one; None where their bars are not known."""
+    if first.lathe is None or second.lathe is None:
+        return None
+    return first.lathe.part(one), second.lathe.part(other, first.lathe.stock)
+
+
+def _bars(first: LatheSetup | None, second: LatheSetup | None) -> tuple[Text, Text] | None:
+    """Return the bars of two lathe programs where they differ."""
+    if first is None or second is None:
+        return None
+    one_mm, other_mm = (np.array(lathe.stock.region.bounds) for lathe in (first, second))
+    same = np.abs(one_mm - other_mm).max() <= SAME_MM
+    return None if same else (bar_text(first.stock), bar_text(second.stock))
+
+
+def _figures(path: Toolpath) -> PathFigures:
+    """Return a path's figures; an axis that is known nowhere, as Y of a lathe, takes no length away."""
+    unknown = [axis for axis in range(3) if np.isnan(path.table().end[:, axis]).all()]
+    if not unknown or not len(path):
+        return figures_of(path)
+
+    def level(points: np.ndarray) -> np.ndarray:
+        found = points.copy()
+        found[:, unknown] = 0.0
+        return found
+
+    chunks = [replace(chunk, end=level(chunk.end), centre=level(chunk.centre)) for chunk in path.chunks]
+    begin = tuple(level(np.array([path.start.position_mm], float))[0].tolist())
+    known = Toolpath(replace(path.start, position_mm=begin), chunks, path.states, path.events, path.spans)
+    found = figures_of(known)
+    x, y, z = (None if axis in unknown else found.box_mm[axis] for axis in range(3))
+    return replace(found, box_mm=(x, y, z))
 
 
 def _time_s(path: Toolpath, machine: Machine) -> float:
@@ -124,8 +212,10 @@ def sentences(found: ProgramComparison) -> Iterator[Text]:
             distance_mm=worst.distance_mm, x_mm=x_mm, y_mm=y_mm, z_mm=z_mm,
             line=_line_of(worst.line, found.names[0 if worst.first else 1]),
         )  # fmt: skip
-    if (part := found.part) is not None:
-        yield _part_sentence(part)
+    if found.turned and found.part:
+        yield from turned_sentences(found.turned, found.names, found.bars, found.part.rings, found.same_mm)
+    elif found.part:
+        yield _part_sentence(found.part)
 
 
 def _ends(found: ProgramComparison, rows: tuple[int, int] | None) -> tuple[Text, Text] | None:
@@ -171,6 +261,7 @@ def rows(found: ProgramComparison) -> Iterator[tuple[str, str, str]]:
     yield Text("rapid only here"), _mm(here.length_mm(False, False)), _mm(there.length_mm(False, False))
     if (part := found.part) is not None:
         yield Text("removed only here"), _cm3(part.only_first_mm3), _cm3(part.only_second_mm3)
+        yield from ring_rows(part.rings)
 
 
 def _count(number: int) -> str:
@@ -194,6 +285,15 @@ def _range(found: Range | None, unit: str) -> str:
         return "-"
     low, high = (f"{round(value, 3):g}" for value in found)
     return f"{low} {unit}" if low == high else f"{low} … {high} {unit}"
+
+
+def compared_sections(found: ProgramComparison) -> ComparedSections | None:
+    """Return what a picture shows of the parts of two lathe programs."""
+    if found.turned is None or found.part is None:
+        return None
+    one, other = found.turned
+    volumes_mm3 = found.part.only_first_mm3, found.part.only_second_mm3
+    return ComparedSections(one.stock, one.section, other.section, found.part.rings, volumes_mm3)
 
 
 def report_of(found: ProgramComparison) -> dict[str, Any]:
@@ -225,4 +325,5 @@ def report_of(found: ProgramComparison) -> dict[str, Any]:
             )
         ],
         "part": asdict(found.part) if found.part else None,
+        "bars": list(found.bars) if found.bars else None,
     }

@@ -6,12 +6,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 
+from CNCStepper.job.comparison.turned_difference import DifferentRing, different_rings, gone_only
 from CNCStepper.simulation.removal.heightmap import HeightMap
-from CNCStepper.simulation.turning.half_section import HalfSection, solid
+from CNCStepper.simulation.turning.half_section import HalfSection
+from CNCStepper.simulation.turning.turned_part import TurnedPart
 
-CutPart = HeightMap | HalfSection
+CutPart = HeightMap | TurnedPart
 
 
 @dataclass(frozen=True)
@@ -19,7 +20,8 @@ class PartDifference:
     """What each program alone removes, mm³, and the place where the parts differ most.
 
     deepest_mm: there, along Z of a milled part and as a distance in the half section of a turned one. place_mm: X Y, or
-    X (radius) Z; None where the parts are the same.
+    X (radius) Z; None where the parts are the same. rings: of a turned part, the deepest first, those within the
+    tolerance left out.
     """
 
     only_first_mm3: float
@@ -27,13 +29,14 @@ class PartDifference:
     deepest_mm: float
     place_mm: tuple[float, float] | None
     axes: str
+    rings: tuple[DifferentRing, ...] = ()
 
 
-def part_difference(first: CutPart, second: CutPart) -> PartDifference:
-    """Return the difference of two parts of one kind, cut of the same stock."""
-    if isinstance(first, HalfSection):
-        assert isinstance(second, HalfSection)
-        return _of_sections(first, second)
+def part_difference(first: CutPart, second: CutPart, same_mm: float) -> PartDifference:
+    """Return the difference of two parts of one kind, cut of the same stock; turned ones may be `same_mm` apart."""
+    if isinstance(first, TurnedPart):
+        assert isinstance(second, TurnedPart)
+        return _of_sections(first.section, second.section, same_mm)
     assert isinstance(second, HeightMap)
     return _of_heights(first, second)
 
@@ -52,19 +55,9 @@ def _of_heights(first: HeightMap, second: HeightMap) -> PartDifference:
     return PartDifference(one, other, deepest_mm, place, "XY")
 
 
-def _of_sections(first: HalfSection, second: HalfSection) -> PartDifference:
+def _of_sections(first: HalfSection, second: HalfSection, same_mm: float) -> PartDifference:
     """Compare two half sections."""
-    gone = [
-        solid(shapely.difference(other.region, own.region)) for own, other in ((first, second), (second, first))
-    ]  # what is in the other part, and not in this one
-    deepest_mm, place = 0.0, None
-    for region, part in zip(gone, (first, second), strict=True):
-        corners = shapely.get_coordinates(region)
-        if len(corners) and not part.region.is_empty:
-            away_mm = shapely.distance(shapely.points(corners), part.region)
-            worst = int(np.argmax(away_mm))
-            if away_mm[worst] > deepest_mm:
-                z_mm, radius_mm = corners[worst].tolist()
-                deepest_mm, place = float(away_mm[worst]), (radius_mm, z_mm)
-    one, other = (HalfSection(region).volume_mm3 for region in gone)
-    return PartDifference(one, other, deepest_mm, place, "XZ")
+    rings = tuple(different_rings(first, second, same_mm))
+    one, other = (HalfSection(gone_only(*both)).volume_mm3 for both in ((first, second), (second, first)))
+    deepest_mm, place = (rings[0].depth_mm, rings[0].place_mm) if rings else (0.0, None)
+    return PartDifference(one, other, deepest_mm, place, "XZ", rings)

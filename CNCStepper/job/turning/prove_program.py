@@ -8,7 +8,7 @@ on the part that those before it have cut.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -28,7 +28,7 @@ from CNCStepper.machine.tools.turning_tool import TurningTool
 from CNCStepper.machine.tools.turning_tool_text import EVERY_NUMBER
 from CNCStepper.simulation.turning.half_section import bar
 from CNCStepper.simulation.turning.obstacles import chuck_region
-from CNCStepper.simulation.turning.swept_outline import moves_of
+from CNCStepper.simulation.turning.swept_outline import Moves, moves_of
 from CNCStepper.simulation.turning.tool_section import ToolSection
 from CNCStepper.simulation.turning.turning_checks import TurningSetup
 from CNCStepper.state import Start, ToolEntry
@@ -65,10 +65,7 @@ def prove_turned(
     language = dialect_named(machine.language(dialect))
     proof = prove(text, machine, file=file, dialect=dialect, start=start)
     moves = moves_of(proof.toolpath, chuck_at_minus_z=language.z_sign > 0)
-    known = {**(tools_of_table(start.tools) if start else {}), **tools}
-    usual = known.get(EVERY_NUMBER)
-    used = {number: known.get(number, usual) for number in set(moves.tool.tolist())}
-    sections = {number: ToolSection.of(tool) for number, tool in used.items() if tool is not None}
+    sections = sections_of(moves, {**(tools_of_table(start.tools) if start else {}), **tools})
     given = x_is(text, language.name)
     setup = TurningSetup(
         bar(stock.diameter_mm, stock.length_mm, stock.face_mm, stock.bore_mm),
@@ -78,6 +75,13 @@ def prove_turned(
         file=file,
     )
     return _joined(proof, judge_turning(moves, setup, given))
+
+
+def sections_of(moves: Moves, tools: Mapping[int, TurningTool]) -> dict[int, ToolSection]:
+    """Return the sections of the tools that moves use; that of EVERY_NUMBER stands for those that are not known."""
+    usual = tools.get(EVERY_NUMBER)
+    used = {number: tools.get(number, usual) for number in set(moves.tool.tolist())}
+    return {number: ToolSection.of(tool) for number, tool in used.items() if tool is not None}
 
 
 def prove_text_of_job(
@@ -101,9 +105,7 @@ def prove_text_of_job(
         programs = _as_part(text, job, machine, part, dialect)
         *_, last = prove_turning(job, machine, programs, Path(), file, start, dialect)
         return last.proof, last.verdict
-    if part is not None:
-        what, advice = "the job has one program for all its tools", "leave --part out"
-        raise JobError("turning-part", what, value=str(part), limit="1", advice=advice)
+    require_no_part(part)
     if "T" not in dialect_named(machine.language(dialect)).letters:
         start = replace(start or Start(), tool=job.operation[0].tool)
     proof = prove(text, machine, file=file, dialect=dialect, start=start)
@@ -111,19 +113,38 @@ def prove_text_of_job(
     return _joined(proof, judge_turning(moves_of(path), setup_of(job, file), job.x_is))
 
 
+def require_no_part(part: int | None) -> None:
+    """Raise JobError for a part of a job that has one program."""
+    if part is not None:
+        what, advice = "the job has one program for all its tools", "leave --part out"
+        raise JobError("turning-part", what, value=str(part), limit="1", advice=advice)
+
+
 def _as_part(text: str, job: TurningJob, machine: Machine, part: int | None, dialect: str) -> list[TurnedProgram]:
     """Return the job's programs up to one, this text in place of that; raises JobError where it is none of them."""
     made = make_turning(job, machine)
-    if part is None:
+    part = part_number([text], made, machine, part, dialect)
+    return [*made[: part - 1], replace(made[part - 1], program=text)]
+
+
+def part_number(
+    texts: Sequence[str], made: Sequence[TurnedProgram], machine: Machine, part: int | None, dialect: str
+) -> int:
+    """Return which of a job's programs is meant, from 1: that part, or the one that makes the moves of a text.
+
+    Raises JobError for none.
+    """
+    for text in texts if part is None else ():
         moves = interpret(text, Start(), dialect=machine.language(dialect))
         same = [one.number for one in made if same_moves(interpret(one.program, Start(), machine.language()), moves)]
-        part = same[0] if len(same) == 1 else None
+        if len(same) == 1:
+            return same[0]
     if part is None or part > len(made):
         what = Text("the job has {count} programs, one a tool, and this is not one of them", count=len(made))
         names = ", ".join(f"{one.number} = tool {one.tool}" for one in made)
         advice = "make them with `cncstepper run`, or check it with --part"
         raise JobError("turning-part", what, value=str(part or ""), limit=names, advice=advice)
-    return [*made[: part - 1], replace(made[part - 1], program=text)]
+    return part
 
 
 def same_moves(one: Toolpath, other: Toolpath) -> bool:

@@ -56,7 +56,7 @@ def prove_turning(
     for program in programs:
         file = name or str(folder / program.file_name)
         language = last_dialect if program is programs[-1] else ""
-        proof = prove(program.program, machine, file=file, dialect=language, start=_start(program, machine, start))
+        proof = prove(program.program, machine, file=file, dialect=language, start=start_of(program, machine, start))
         before.append(in_part(proof.toolpath, placement_of(job, machine)))
         done += len(program.answers)
         so_far = job.model_copy(update={"operation": job.operation[:done]})
@@ -68,7 +68,7 @@ def prove_turning(
         rows += len(proof.toolpath)
 
 
-def _start(program: TurnedProgram, machine: Machine, start: Start | None) -> Start | None:
+def start_of(program: TurnedProgram, machine: Machine, start: Start | None) -> Start | None:
     """Return the start of a program: where its text names no tool, with the one that it is for."""
     if "T" in dialect(machine.language()).letters:
         return start

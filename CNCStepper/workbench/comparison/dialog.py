@@ -17,21 +17,21 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.simulation.comparison.picture_words import WORDS
+from CNCStepper.job.comparison.turned_picture_words import TURNED_WORDS
 from CNCStepper.tolerances import SAME_PATH_MM
 from CNCStepper.workbench.calculation.drawing_process import DrawingRequest, process
 from CNCStepper.workbench.comparison.picture_view import PictureView
-from CNCStepper.workbench.features.base import JOB, JOBS, proxy_type
+from CNCStepper.workbench.features.base import JOB, JOBS, LATHE_JOB, proxy_type
 from CNCStepper.workbench.features.program import Program, job_behind
 from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, named_button, note_label
 from CNCStepper.workbench.services import messages
-from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.message_translation import template, translated
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Comparison"
-SIZE = (1000, 680)
+SIZE = (1120, 680)
 GUIDE = "editing.md"
 PICTURE = "comparison.png"
 LEAST_MM, MOST_MM = 0.001, 10.0
@@ -140,7 +140,10 @@ class Comparison(QtGui.QDialog):
     # --- inside ------------------------------------------------------------------------------------
 
     def _question(self) -> dict[str, Any]:
-        """Return what the process is asked; machine, stock and tools are those of the first program that has a job."""
+        """Return what the process is asked; machine, stock and tools are those of the first program that has a job.
+
+        A lathe's programs have the bar and the tools of their own jobs.
+        """
         from CNCStepper.workbench.document.machine_of_job import machine_of
         from CNCStepper.workbench.document.targets import job as meant_job
 
@@ -149,12 +152,12 @@ class Comparison(QtGui.QDialog):
         machine = machine_of(job_behind(owners[0])) if owners else None
         dialect = machine.language() if machine else "grbl"
         return {
-            "programs": [_told(each, dialect) for each in chosen],
+            "programs": [_told(each, dialect, owners) for each in chosen],
             "machine": machine.model_dump(mode="json") if machine else None,
             "job": self._job_file(owners[0]) if owners else "",
             "tolerance_mm": self.tolerance.value(),
             "picture": str(self.folder / PICTURE),
-            "words": {key: translated(text) for key, text in WORDS.items()},
+            "words": {key: template(text) for key, text in TURNED_WORDS.items()},
         }
 
     def _job_file(self, program: Any) -> str:
@@ -231,9 +234,9 @@ class Comparison(QtGui.QDialog):
         sides = QtGui.QSplitter(QtCore.Qt.Orientation.Horizontal, self)
         sides.addWidget(self.picture)
         sides.addWidget(self.figures)
-        sides.setSizes([3 * SIZE[0] // 5, 2 * SIZE[0] // 5])
-        sides.setStretchFactor(0, 3)
-        sides.setStretchFactor(1, 2)
+        sides.setSizes([SIZE[0] // 2, SIZE[0] // 2])  # room for both columns of figures
+        sides.setStretchFactor(0, 1)
+        sides.setStretchFactor(1, 1)
         column = QtGui.QVBoxLayout(self)
         column.addLayout(grid)
         for widget in (self.bar, self.note, self.words):
@@ -275,13 +278,30 @@ def _label(obj: Any) -> str:
     return f"{obj.Label} ({obj.Document.Label})" if several else str(obj.Label)
 
 
-def _told(source: Any, dialect: str) -> dict[str, str]:
-    """Return a program as the process is told it; raises CNCStepperError for a job whose dialect is not known."""
+def _told(source: Any, dialect: str, owners: list[Any]) -> dict[str, Any]:
+    """Return a program as the process is told it; raises CNCStepperError for a job whose dialect is not known.
+
+    dialect, owners: of which the first is a file's job.
+    """
     if isinstance(source, str):
-        return {"name": Path(source).name, "file": source, "dialect": dialect}
+        job = job_behind(owners[0]) if owners else None
+        lathe = _lathe_content(job) if proxy_type(job) == LATHE_JOB else None
+        return {"name": Path(source).name, "file": source, "dialect": dialect, "kind": "", "lathe": lathe}
     from CNCStepper.workbench.document.core_job import language_of
 
-    return {"name": source.Label, "file": str(source.Program), "dialect": language_of(source)}
+    job, name, file = job_behind(source), source.Label, str(source.Program)
+    kind, lathe = ("lathe", _lathe_content(job)) if proxy_type(job) == LATHE_JOB else ("mill", None)
+    return {"name": name, "file": file, "dialect": language_of(source), "kind": kind, "lathe": lathe}
+
+
+def _lathe_content(job: Any) -> dict[str, Any] | None:
+    """Return bar and tools of a lathe's job; None where they are not known: paths are compared without a part, too."""
+    from CNCStepper.workbench.document.turning.core_turning_job import comparison_content
+
+    try:
+        return comparison_content(job)
+    except CNCStepperError:
+        return None
 
 
 def _sentence(text: str) -> str:

@@ -40,6 +40,11 @@ def translated(text: str) -> str:
     return _outcome(text) or _said(text) or text
 
 
+def template(english: str) -> str:
+    """Return a template of the core in FreeCAD's language, its fields as they are."""
+    return _look_up(english)
+
+
 def make_ready() -> None:
     """Read the catalogue now, in whatever thread, so that the first sentence need not wait for it."""
     _catalogue()

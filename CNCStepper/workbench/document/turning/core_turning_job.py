@@ -134,6 +134,13 @@ def proof_question(obj: Any, program: Any) -> Callable[[Path, str], None]:
     return lambda folder, text: write_job_question(folder, text, job, machine, part, title)
 
 
+def comparison_content(obj: Any) -> dict[str, Any]:
+    """Return what cuts a job's programs where two are compared; raises JobError for a bad job."""
+    content = turning_transfer.content_of(turning_job_of(obj), lathe_of(obj))
+    tools = [model_of(tool).model_dump(mode="json", exclude_none=True) for tool in obj.Tools]
+    return {**content, "part": part_of(obj, obj.ProgramParts), "tools": tools}
+
+
 def read_back(obj: Any, text: str) -> Toolpath:
     """Return the table of moves of a program's text in the document: X is the radius, Z the part's."""
     return turning_transfer.read_back(turning_job_of(obj), lathe_of(obj), text, obj.Label)
