@@ -4171,6 +4171,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>A template gives machine, material, stock and tools; what you have typed stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>A tool of this shape has none</source>
             <translation type="unfinished"></translation>
         </message>
@@ -4332,6 +4336,10 @@
         </message>
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>All of it is replaced, its rules and tools too.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -4616,6 +4624,10 @@
         </message>
         <message>
             <source>Begin so much earlier on the same cut, so that no ridge stays</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Begin with</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -7871,6 +7883,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Name of the template</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Narrow arcs</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9158,6 +9174,10 @@ the height</source>
         </message>
         <message>
             <source>Save and go on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Save as job template</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -10730,6 +10750,10 @@ the height</source>
         </message>
         <message>
             <source>There is a machine {0} already.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>There is a template '{0}' already. Replace it?</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -12958,6 +12982,10 @@ the height</source>
         </message>
         <message>
             <source>vinyl</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>what is preferred</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18221,6 +18249,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a template cannot be named '{name}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a template has no key '{key}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20662,6 +20694,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>give it a short name on one line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give it a short name without &lt; &gt; : " / \ | ? *</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27513,6 +27549,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the template cannot be written: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the test leaves the travel of the axis</source>
             <translation type="unfinished"></translation>
         </message>
@@ -31464,6 +31504,17 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>Writes the job on paper: its operations with tool and time, its path and its program</source>
+            <translation type="unfinished"></translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_SaveJobTemplate</name>
+        <message>
+            <source>Save as job template…</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Saves machine, material, stock, work zero and tools of the job under a name; a new job can begin with them</source>
             <translation type="unfinished"></translation>
         </message>
     </context>

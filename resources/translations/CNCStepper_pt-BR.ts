@@ -4171,6 +4171,10 @@
             <translation>Um rasgo reto de pontas redondas ao longo de X, em torno do zero; o comprimento é o total.</translation>
         </message>
         <message>
+            <source>A template gives machine, material, stock and tools; what you have typed stays</source>
+            <translation>Um modelo dá a máquina, o material, o bloco e as ferramentas; o que você digitou permanece</translation>
+        </message>
+        <message>
             <source>A tool of this shape has none</source>
             <translation>Uma ferramenta desta forma não tem este valor</translation>
         </message>
@@ -4333,6 +4337,10 @@
         <message>
             <source>All lines are sent; the last moves are being cut.</source>
             <translation>Todas as linhas foram enviadas; os últimos movimentos estão sendo usinados.</translation>
+        </message>
+        <message>
+            <source>All of it is replaced, its rules and tools too.</source>
+            <translation>Tudo nele é substituído, também as regras e as ferramentas.</translation>
         </message>
         <message>
             <source>All of them</source>
@@ -4617,6 +4625,10 @@
         <message>
             <source>Begin so much earlier on the same cut, so that no ridge stays</source>
             <translation>Começa tanto antes no mesmo corte, para que não fique nenhuma rebarba</translation>
+        </message>
+        <message>
+            <source>Begin with</source>
+            <translation>Começar com</translation>
         </message>
         <message>
             <source>Begin: chamfer</source>
@@ -7871,6 +7883,10 @@
             <translation>Nome do perfil: letras de a a z, algarismos, - e _</translation>
         </message>
         <message>
+            <source>Name of the template</source>
+            <translation>Nome do modelo</translation>
+        </message>
+        <message>
             <source>Narrow arcs</source>
             <translation>Arcos estreitos</translation>
         </message>
@@ -9161,6 +9177,10 @@ altura</translation>
         <message>
             <source>Save and go on</source>
             <translation>Salvar e continuar</translation>
+        </message>
+        <message>
+            <source>Save as job template</source>
+            <translation>Salvar como modelo de trabalho</translation>
         </message>
         <message>
             <source>Save as…</source>
@@ -10733,6 +10753,10 @@ altura</translation>
         <message>
             <source>There is a machine {0} already.</source>
             <translation>Já existe uma máquina {0}.</translation>
+        </message>
+        <message>
+            <source>There is a template '{0}' already. Replace it?</source>
+            <translation>Já existe um modelo '{0}'. Substituí-lo?</translation>
         </message>
         <message>
             <source>There is no restart to send yet.</source>
@@ -12961,6 +12985,10 @@ altura</translation>
         <message>
             <source>vinyl</source>
             <translation>vinil</translation>
+        </message>
+        <message>
+            <source>what is preferred</source>
+            <translation>o que é preferido</translation>
         </message>
         <message>
             <source>wire</source>
@@ -18245,6 +18273,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um link simbólico de outro usuário, em uma pasta na qual todos podem gravar, não é seguido</translation>
         </message>
         <message>
+            <source>a template cannot be named '{name}'</source>
+            <translation>um modelo não pode ter o nome '{name}'</translation>
+        </message>
+        <message>
             <source>a template has no key '{key}'</source>
             <translation>um modelo não tem a chave '{key}'</translation>
         </message>
@@ -20687,6 +20719,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>give it a short name on one line</source>
             <translation>dê-lhe um nome curto em uma só linha</translation>
+        </message>
+        <message>
+            <source>give it a short name without &lt; &gt; : " / \ | ? *</source>
+            <translation>dê-lhe um nome curto sem &lt; &gt; : " / \ | ? *</translation>
         </message>
         <message>
             <source>give it another name, or change that one with: cncstepper machine set</source>
@@ -27537,6 +27573,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o destino fica fora do curso da máquina</translation>
         </message>
         <message>
+            <source>the template cannot be written: {error}</source>
+            <translation>o modelo não pode ser gravado: {error}</translation>
+        </message>
+        <message>
             <source>the test leaves the travel of the axis</source>
             <translation>o teste sai do curso do eixo</translation>
         </message>
@@ -31489,6 +31529,17 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>Writes the job on paper: its operations with tool and time, its path and its program</source>
             <translation>Põe o trabalho no papel: suas operações com ferramenta e tempo, seu caminho e seu programa</translation>
+        </message>
+    </context>
+    <context>
+        <name>CNCStepper_SaveJobTemplate</name>
+        <message>
+            <source>Save as job template…</source>
+            <translation>Salvar como modelo de trabalho…</translation>
+        </message>
+        <message>
+            <source>Saves machine, material, stock, work zero and tools of the job under a name; a new job can begin with them</source>
+            <translation>Salva a máquina, o material, o bloco, o zero-peça e as ferramentas do trabalho sob um nome; um novo trabalho pode começar com eles</translation>
         </message>
     </context>
     <context>

@@ -7,9 +7,11 @@ import shutil
 from pathlib import Path
 from typing import Any
 
+import FreeCAD
+import Part
 import pytest
 
-from CNCStepper.errors import JobError
+from CNCStepper.errors import CNCStepperError, JobError
 from CNCStepper.job.cut_transfer import program_texts
 from CNCStepper.job.templates.drawing_job import job_of_drawing
 from CNCStepper.job.templates.template import read_template
@@ -18,8 +20,10 @@ from CNCStepper.machine.profile import load_machine
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document.job_files import export_job, open_job
 from CNCStepper.workbench.document.template_jobs import apply_template, new_template
-from CNCStepper.workbench.features.base import problem_of, proxy_type
+from CNCStepper.workbench.features.base import problem_of, proxy_type, values
+from CNCStepper.workbench.templates.around import Around
 from CNCStepper.workbench.templates.draft import texts_of
+from CNCStepper.workbench.templates.job_template import KEYS, Beginning, save
 
 ROOT = Path(__file__).parents[2]
 DRAWINGS, TEMPLATES = ROOT / "examples" / "drawings", ROOT / "examples" / "templates"
@@ -142,3 +146,102 @@ def test_a_new_template_has_the_job_s_tools_and_a_rule_for_each_layer(document: 
     assert [texts_of(rule).layer for rule in content["rule"]] == ["cut", "area", "holes"]
     assert content["tool"][0]["number"] == 3 and content["machine"] == read_toml(template)["machine"]
     assert content["drawing"]["tolerance_mm"] == 0.01 and content["stock"]["thickness_mm"] == 6
+
+
+def plywood_job(document: Any) -> Any:
+    """Return a job that cuts a rectangle of 40 by 20 mm out of stock that reaches 7 mm beyond it."""
+    plate = document.addObject("Part::Feature", "Plate")
+    plate.Shape = Part.Wire(Part.makePolygon([(0, 0, 0), (40, 0, 0), (40, 20, 0), (0, 20, 0), (0, 0, 0)]))
+    stock = {"stock_form": "sheet", "stock_size_mm": (54, 34, 9), "stock_origin": "top-left-front", "edge_mm": 3}
+    keys = {"machine": "table-b", "material": "plywood", "units": "inch", "work_offset": "G55", "clearance_mm": 12}
+    job = api.new_job(document, **stock, **keys, work_origin_mm=(-7, -7, 0))
+    api.add_tool(job, number=4, shape="v", diameter_mm=6, tip_angle_deg=60, feed_mm_min=800, spindle_rpm=0)
+    api.add_tool(job, number=7, diameter_mm=3, feed_mm_min=0, plunge_mm_min=0, spindle_rpm=0)
+    api.add_operation(job, "contour", plate, depth_mm=9, stepdown_mm=3)
+    document.recompute()
+    return job
+
+
+def begun(document: Any, around: Around = Around()) -> tuple[Any, Beginning]:  # noqa: B008
+    job = api.new_job(document)
+    api.add_tool(job)
+    return job, Beginning(job, around)
+
+
+def state(job: Any) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    return {key: values(job)[key] for key in KEYS}, [values(tool) for tool in job.Tools]
+
+
+def test_a_new_job_begins_with_a_saved_one_round_another_drawing(document: Any, tmp_path: Path) -> None:
+    saved, path = plywood_job(document), tmp_path / "chapa ç.toml"
+    save(saved, path)
+    wanted, tools = state(saved)
+    assert read_template(path).stock.margin_mm == 7
+    for box, is_solid, size_mm, zero_mm in (
+        (FreeCAD.BoundBox(10, 20, 0, 110, 80, 0), False, (114, 74, 9), (3, 13, 0)),
+        (FreeCAD.BoundBox(10, 20, -5, 110, 80, 1), True, (100, 60, 6), (10, 20, 1)),
+        (None, False, (100, 70, 9), (0, 0, 0)),
+    ):
+        job, beginning = begun(document, Around(box, is_solid))
+        beginning.take(str(path))
+        form = {"stock_form": "box"} if is_solid else {}
+        place = {"stock_size_mm": size_mm, "work_origin_mm": zero_mm, **form}
+        assert state(job) == (wanted | place, tools)
+        document.recompute()
+        assert not any(map(problem_of, (job, *job.Tools)))
+
+
+def test_stock_of_a_size_of_its_own_keeps_it(document: Any, tmp_path: Path) -> None:
+    job, path = plywood_job(document), tmp_path / "disco.toml"
+    api.edit(job, stock_form="cylinder", stock_size_mm=(90, 34, 12), stock_origin="top-centre")
+    save(job, path)
+    other, beginning = begun(document, Around(FreeCAD.BoundBox(10, 20, 0, 30, 60, 0)))
+    beginning.take(str(path))
+    found, _ = state(other)
+    assert (found["stock_form"], found["stock_size_mm"]) == ("cylinder", (90, 90, 12))
+    assert found["work_origin_mm"] == (20, 40, 0)
+
+
+def test_what_a_person_typed_stays_through_every_beginning(document: Any, tmp_path: Path) -> None:
+    path = tmp_path / "chapa.toml"
+    save(plywood_job(document), path)
+    job, beginning = begun(document)
+    usual = state(job)
+    beginning.take(str(path))
+    beginning.take("")
+    assert state(job) == usual
+    api.edit(job, material="mdf", retract_mm=5)
+    api.edit(job.Tools[0], diameter_mm=5)
+    beginning.take(str(path))
+    assert (job.Material, float(job.Retract), job.Machine) == ("mdf", 5, "table-b")
+    assert (float(job.Tools[0].Diameter), float(job.Tools[0].Feed)) == (5, 0)
+    assert [tool.Number for tool in job.Tools] == [1, 4, 7]
+    beginning.take("")
+    assert (job.Material, float(job.Retract), job.Machine) == ("mdf", 5, "table-a")
+    assert [tool.Number for tool in job.Tools] == [1]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        ("[stock]", "[stock", "toml"),
+        ('"table-b"', '"no-such"', "no-such"),
+        ('"table-b"', '"wire-table"', "milling"),
+        ('machine = "table-b"', 'machine = "mini-lathe"\nprocess = "turning"', "lathe"),
+        ("thickness_mm = 9", "thickness_mm = -9", "thickness_mm"),
+        ("number = 7", "number = 4", "number"),
+    ],
+)
+def test_a_template_that_cannot_be_used_changes_nothing(
+    document: Any, tmp_path: Path, old: str, new: str, why: str
+) -> None:
+    path = tmp_path / "chapa.toml"
+    save(plywood_job(document), path)
+    text = path.read_text("utf-8")
+    assert old in text.replace("9.0", "9")
+    path.write_text(text.replace("9.0", "9").replace(old, new), "utf-8")
+    job, beginning = begun(document)
+    before, names = state(job), [each.Name for each in document.Objects]
+    with pytest.raises(CNCStepperError, match=why):
+        beginning.take(str(path))
+    assert (state(job), [each.Name for each in document.Objects]) == (before, names)

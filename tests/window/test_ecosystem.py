@@ -12,7 +12,7 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document import program_file
@@ -35,14 +35,9 @@ def document(hand: Hand) -> Iterator[Any]:
     yield hand.main(make)
 
 
-def later(act: Any) -> Any:
-    """Return what begins an act of FreeCAD's that may open a modal dialog, and does not wait for its end."""
-    return lambda: QtCore.QTimer.singleShot(0, act)
-
-
 def begin_recording(hand: Hand, folder: Path) -> Path:
     """Start FreeCAD's own macro recording by its dialog; return the file to be written."""
-    hand.main(later(lambda: FreeCADGui.runCommand("Std_DlgMacroRecord")))
+    hand.command("Std_DlgMacroRecord")  # by its button: run from Python, FreeCAD 0.20 lets no other thread run Python
     hand.wait(lambda: hand.exists("lineEditPath"), 10, "FreeCAD's dialog")
     hand.fill("lineEditPath", "peca")
     path = Path(hand.text("lineEditMacroPath")) / "peca.FCMacro"
@@ -72,6 +67,8 @@ def open_panel(hand: Hand, command: str) -> None:
 def work(hand: Hand, document: Any, drawing: Path) -> None:
     """Make, edit, order and delete as a person does."""
     open_panel(hand, "CNCStepper_NewJob")
+    hand.choose("CNCStepper_Panel_begin_with", "sign (example)")
+    hand.wait(lambda: document.getObject("CNCStepper_Job").Material == "plywood", 10, "the template's material")
     close_panel(hand)
     for command in ("CNCStepper_RectangularPocket", "CNCStepper_CircularPocket"):
         hand.tree("Job")

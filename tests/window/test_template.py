@@ -10,15 +10,19 @@ from typing import Any
 
 import FreeCAD
 import FreeCADGui
+import Part
 import pytest
 from PySide import QtGui
 
 from CNCStepper.workbench import api
-from CNCStepper.workbench.features.base import problem_of, proxy_type
+from CNCStepper.workbench.features.base import problem_of, proxy_type, values
 from window_helpers import screen_places as places
 from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 from window_helpers.tables import put, rows_by_buttons
+from window_helpers.task_panels import PANEL as FIELD
+from window_helpers.task_panels import accept, begin
+from window_helpers.x_input import RIGHT
 
 ROOT = Path(__file__).parents[2]
 SIGN = ROOT / "examples" / "drawings" / "sign.svg"
@@ -235,3 +239,113 @@ def close_while_it_reads(hand: Hand, name: str) -> None:
     hand.main(lambda: (panel._ask(), FreeCAD.closeDocument(name)))
     hand.wait(lambda: not process()._asked, 20, "the end of the question")
     hand.wait(lambda: not hand.exists(RULES), 10, "the panel's end")
+
+
+SAVING = {"en": "Save as job template…", "pt": "Salvar como modelo de trabalho…"}
+QUESTION, ANSWER = "CNCStepper_JobTemplate", "CNCStepper_Tell_"
+TAKEN = ("machine", "material", "units", "stock_size_mm", "stock_form", "stock_origin", "work_origin_mm", "retract_mm")
+
+
+def rectangle(name: str, x_mm: float, y_mm: float) -> Any:
+    """Return a new document with a rectangle from its zero on."""
+    document = FreeCAD.newDocument(name)
+    document.UndoMode = 1
+    plate = document.addObject("Part::Feature", "Plate")
+    plate.Shape = Part.makePolygon([(0, 0, 0), (x_mm, 0, 0), (x_mm, y_mm, 0), (0, y_mm, 0), (0, 0, 0)])
+    return document
+
+
+def plywood_job() -> Any:
+    """Return a job of a rectangle in stock that reaches 7 mm beyond it, with two tools."""
+    document = rectangle("Shop", 40, 20)
+    stock = {"stock_form": "sheet", "stock_size_mm": (54, 34, 9), "stock_origin": "top-left-front"}
+    keys = {"machine": "table-b", "material": "plywood", "units": "inch", "work_origin_mm": (-7, -7, 0)}
+    job = api.new_job(document, **stock, **keys)
+    api.add_tool(job, number=4, shape="v", diameter_mm=6, tip_angle_deg=60, feed_mm_min=800)
+    api.add_tool(job, number=7, diameter_mm=3, feed_mm_min=0, plunge_mm_min=0, spindle_rpm=0)
+    api.add_operation(job, "contour", document.Plate, depth_mm=9, stepdown_mm=3)
+    document.recompute()
+    return job
+
+
+def save_as(hand: Hand, name: str) -> None:
+    """Give a name in the dialog that asks for it."""
+    hand.wait(lambda: places.visible(QUESTION), 10, "the question for the name")
+    hand.fill(f"{QUESTION}_name", name)
+    hand.click(f"{QUESTION}_ok")
+    hand.wait(lambda: not places.visible(QUESTION), 10, "the name to be taken")
+
+
+def saved_by_clicks(hand: Hand, job: Any, language: str, folder: Path) -> None:
+    """Save a job by its context menu; then by the menu, where its name is in use, and under one that cannot be."""
+    file, words = folder / "chapa ç.toml", SAVING[language]
+    hand.tree(job.Label)
+    hand._click_place(hand.main(places.of_tree_item, job.Label), RIGHT)
+    hand.wait(QtGui.QApplication.activePopupWidget, 5, "the context menu")
+    hand._click_place(hand.main(places.popup_entry, words))
+    hand.wait(lambda: places.visible(QUESTION), 10, "the question for the name")
+    hand.shot(f"job-template-name-{language}")
+    save_as(hand, "chapa ç")
+    hand.wait(file.exists, 10, "the template's file")
+    before = file.read_bytes()
+    hand.main(lambda: (api.edit(job, retract_mm=3), job.Document.recompute()))
+    for answer, changes in (("no", False), ("yes", True)):
+        hand.menu("CNCStepper", words)
+        save_as(hand, "chapa ç")
+        hand.wait(lambda: places.visible(f"{ANSWER}ask"), 10, "the question whether to replace it")
+        hand.shot(f"job-template-in-use-{language}")
+        hand.click(f"{ANSWER}{answer}")
+        hand.wait(lambda: not places.visible(f"{ANSWER}ask"), 10, "the answer")
+        hand.wait(lambda changes=changes: (file.read_bytes() != before) is changes, 10, "the file")
+    hand.menu("CNCStepper", words)
+    save_as(hand, "a/b")
+    hand.wait(lambda: places.visible(f"{ANSWER}error"), 10, "the refusal of the name")
+    hand.click(f"{ANSWER}ok")
+    hand.wait(lambda: not places.visible(f"{ANSWER}error"), 10, "the message to close")
+    assert [path.name for path in folder.iterdir()] == [file.name]
+
+
+def test_a_job_is_saved_and_the_next_one_begins_with_it(
+    hand: Hand, language: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    folder = tmp_path / "cncstepper" / "templates"
+    saved = hand.main(plywood_job)
+    saved_by_clicks(hand, saved, language, folder)
+    (folder / "quebrado.toml").write_text("machine = 'table-a", "utf-8")
+    (folder / "torno.toml").write_text("process = 'turning'", "utf-8")
+    wanted = hand.main(values, saved) | {"stock_size_mm": (114, 74, 9)}
+    hand.main(FreeCAD.closeDocument, "Shop")
+    document = hand.main(rectangle, "Next", 100, 60)
+    begin(hand, "CNCStepper_NewJob", "Plate")
+    job = hand.main(job_of, document)
+    usual = hand.main(values, job)
+    offered = hand.main(lambda: [entry for entry in entries_of(f"{FIELD}begin_with") if "(" not in entry])
+    assert offered[1:] == ["chapa ç", "quebrado"]
+    hand.fill(f"{FIELD}edge_mm", "4")
+    hand.choose(f"{FIELD}begin_with", "chapa ç")
+    hand.wait(lambda: len(job.Tools) == 2, 10, "the template's tools")
+    hand.shot(f"begin-with-{language}")
+    found = hand.main(values, job)
+    assert {key: found[key] for key in TAKEN} == {key: wanted[key] for key in TAKEN}
+    assert (float(job.EdgeMargin), [tool.Number for tool in job.Tools]) == (4, [4, 7])
+    hand.choose(f"{FIELD}begin_with", "quebrado")
+    hand.wait(lambda: hand.exists(f"{FIELD}begin_with_problem"), 10, "why it cannot be read")
+    hand.shot(f"begin-with-refused-{language}")
+    assert hand.text(f"{FIELD}begin_with") == "chapa ç" and hand.main(values, job) == found
+    hand.choose(f"{FIELD}begin_with", offered[0])
+    hand.wait(lambda: len(job.Tools) == 1, 10, "the tool of a new job")
+    assert hand.main(values, job) == usual | {"edge_mm": 4, "tools": job.Tools}
+    hand.choose(f"{FIELD}begin_with", "chapa ç")
+    hand.wait(lambda: len(job.Tools) == 2, 10, "the template's tools")
+    accept(hand)
+    assert len(hand.main(lambda: document.UndoNames)) == 1
+    hand.undo()
+    hand.wait(lambda: job_of(document) is None, 10, "the job to be undone")
+    assert [each.Name for each in document.Objects] == ["Plate"]
+
+
+def entries_of(box: str) -> list[str]:
+    """Return the texts of a list to choose from."""
+    found = places.find(box)
+    return [found.itemText(row) for row in range(found.count())]

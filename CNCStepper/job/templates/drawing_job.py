@@ -225,8 +225,8 @@ class _Maker:
     def _stock(self, cut: Sequence[Chain]) -> Content:
         """Return the stock, and note where the drawing lies on it."""
         rule, box = self._template.stock, drawing_box_mm(cut)
-        size_mm = rule.size_mm or _size_round(box, rule)
-        self.offset_mm = _offset(box, rule, size_mm)
+        size_mm = rule.size_mm or size_round(box, rule)
+        self.offset_mm = offset_mm(box, rule, size_mm)
         left, front = (0.0, 0.0) if rule.origin == "top-left-front" else (-size_mm[0] / 2.0, -size_mm[1] / 2.0)
         (dx, dy), (right, back) = self.offset_mm, (left + size_mm[0], front + size_mm[1])
         beyond = max(left - box[0] - dx, front - box[1] - dy, box[2] + dx - right, box[3] + dy - back)
@@ -239,8 +239,7 @@ class _Maker:
                 advice='take a larger stock, a smaller margin or placement = "box"',
                 place=Place(str(self._drawing)),
             )
-        told: Content = {"form": rule.form, "size_mm": [*size_mm, rule.thickness_mm], "origin": rule.origin}
-        return told | ({"edge_mm": rule.edge_mm} if rule.edge_mm is not None else {})
+        return stock_content(rule, size_mm)
 
     def _operations(self, number: int) -> Iterator[Content]:
         """Yield the operations of one rule, none where it takes no chain."""
@@ -328,8 +327,14 @@ def _plain(content: Any) -> Any:
     }
 
 
-def _size_round(box: tuple[float, float, float, float], rule: StockRule) -> tuple[float, float]:
-    """Return X and Y of the stock, to whole microns."""
+def stock_content(rule: StockRule, size_mm: tuple[float, float]) -> Content:
+    """Return the `[stock]` table of a job file, X and Y of the stock given."""
+    told: Content = {"form": rule.form, "size_mm": [*size_mm, rule.thickness_mm], "origin": rule.origin}
+    return told | ({"edge_mm": rule.edge_mm} if rule.edge_mm is not None else {})
+
+
+def size_round(box: tuple[float, float, float, float], rule: StockRule) -> tuple[float, float]:
+    """Return X and Y of the stock round a drawing's box (left, front, right, back), mm, to whole microns."""
     left, front, right, back = box
     if rule.placement == "drawing":
         reach = (right, back) if rule.origin == "top-left-front" else (
@@ -346,10 +351,10 @@ def _to_micron(length_mm: float) -> float:
     return max(math.ceil(length_mm * MICRON - 1e-3), 1) / MICRON
 
 
-def _offset(
+def offset_mm(
     box: tuple[float, float, float, float], rule: StockRule, size_mm: tuple[float, float]
 ) -> tuple[float, float]:
-    """Return by how much the drawing is moved."""
+    """Return by how much a drawing of that box is moved to lie on a stock of that size, mm."""
     if rule.placement == "drawing":
         return 0.0, 0.0
     left, front, right, back = box

@@ -52,12 +52,13 @@ class _Checked(BaseModel):
 class StockRule(_Checked):
     """How large the stock is, and where the drawing lies on it.
 
-    size_mm: X and Y of a stock of fixed size; left out, the drawing's box and margin_mm on each side. placement: "box"
-    puts the drawing's box margin_mm from the stock's corner, or its middle on that of the stock where the origin is
-    there; "drawing" leaves the drawing's own coordinates. through_mm: how much deeper than the stock "through" is.
+    size_mm: X and Y of a stock of fixed size, for a cylinder its diameter twice; left out, the drawing's box and
+    margin_mm on each side. placement: "box" puts the drawing's box margin_mm from the stock's corner, or its middle on
+    that of the stock where the origin is there; "drawing" leaves the drawing's own coordinates. through_mm: how much
+    deeper than the stock "through" is.
     """
 
-    form: Literal["box", "sheet"] = "sheet"
+    form: Literal["box", "sheet", "cylinder"] = "sheet"
     thickness_mm: Depth
     margin_mm: LengthOr0 = 5.0
     size_mm: tuple[Length, Length] | None = None

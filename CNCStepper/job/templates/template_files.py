@@ -11,13 +11,18 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.atomic_file import write_whole
-from CNCStepper.errors import MissingPackage
+from CNCStepper.errors import JobError, MissingPackage, Place, Text
 from CNCStepper.job.files.job_text import content_text
 from CNCStepper.job.templates.drawing_job import FILES
 from CNCStepper.job.templates.template import template_of
 from CNCStepper.machine.files.profile_files import SUFFIX, config_folder
 from CNCStepper.machine.profile import profile_names
 from CNCStepper.output_files import MADE_BY
+from CNCStepper.safe_text import printable
+
+LONGEST = 60  # letters of a name
+NOT_IN_NAMES = set('<>:"/\\|?*')  # that file systems refuse in the name of a file
+RESERVED = {"con", "prn", "aux", "nul", *(f"{port}{number}" for port in ("com", "lpt") for number in range(1, 10))}
 
 
 def template_folder() -> Path:
@@ -31,6 +36,16 @@ def template_paths() -> list[Path]:
         return sorted(template_folder().glob(f"*{SUFFIX}"))
     except (OSError, MissingPackage):
         return []
+
+
+def named_template(name: str) -> Path:
+    """Return the file of the shop's template of a name that a person types; raises JobError for one that cannot be."""
+    name = name.strip()
+    bad = NOT_IN_NAMES & set(name) or name[:1] == "." or name[-1:] == "." or not name.isprintable()
+    if not name or len(name) > LONGEST or bad or name.partition(".")[0].casefold() in RESERVED:
+        what = Text("a template cannot be named '{name}'", name=printable(name, LONGEST))
+        raise JobError("template-name", what, advice='give it a short name without < > : " / \\ | ? *')
+    return template_folder() / f"{name}{SUFFIX}"
 
 
 def with_whole_paths(content: Mapping[str, Any], folder: Path) -> dict[str, Any]:
@@ -47,7 +62,12 @@ def _whole(key: str, value: Any, folder: Path) -> Any:
 
 
 def write_template(content: Mapping[str, Any], path: Path) -> None:
-    """Write a template into a file, its folder too; raises JobError for what is none."""
+    """Write a template into a file, its folder too; raises JobError for what is none, or cannot be written."""
     template_of(dict(content), path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(path, content_text(content, f"a template, {MADE_BY}").encode("utf-8"))
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(path, content_text(content, f"a template, {MADE_BY}").encode("utf-8"))
+    except OSError as error:
+        what = Text("the template cannot be written: {error}", error=error.strerror or error)
+        advice = "choose a folder that exists and that you may write to"
+        raise JobError("template-unwritable", what, advice=advice, place=Place(str(path))) from error

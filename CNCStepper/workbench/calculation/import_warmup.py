@@ -32,6 +32,7 @@ MODULES = (  # of the core alone: modules of FreeCAD and Qt belong to the window
     "CNCStepper.cycles.pockets.pocket_parameters",
     "CNCStepper.machine.libraries.operation_presets",
     "CNCStepper.job.model",
+    "CNCStepper.job.templates.begun_job",
 )
 WINDOW_MODULES = (  # an import of `api` or of the panels is long as a whole: its parts come first
     "CNCStepper.workbench.document.drawing_files",
@@ -55,6 +56,7 @@ WINDOW_MODULES = (  # an import of `api` or of the panels is long as a whole: it
     "CNCStepper.workbench.panels.remedies",
     "CNCStepper.workbench.panels.form",
     "CNCStepper.workbench.panels.object_form",
+    "CNCStepper.workbench.templates.job_template",
     "CNCStepper.workbench.panels.catalogue",
 )
 

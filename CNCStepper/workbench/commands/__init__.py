@@ -24,7 +24,7 @@ def register() -> tuple[list[str], list[str], list[str]]:
     from CNCStepper.workbench.commands.first_steps import FirstSteps
     from CNCStepper.workbench.commands.help import Help
     from CNCStepper.workbench.commands.job import ImportTools, NewJob
-    from CNCStepper.workbench.commands.job_files import ExportJob, OpenJob, Report
+    from CNCStepper.workbench.commands.job_files import ExportJob, OpenJob, Report, SaveJobTemplate
     from CNCStepper.workbench.commands.machines import Assistant, Letters, Library, Machines
     from CNCStepper.workbench.commands.packages import Install
     from CNCStepper.workbench.commands.reorder import COMMANDS as ORDERING
@@ -34,7 +34,7 @@ def register() -> tuple[list[str], list[str], list[str]]:
     areas, lines_and_holes = _made(operations.AREAS), _made(operations.LINES_AND_HOLES)
     sheets = _made(operations.SHEETS)
     machine = (*_made(program.COMMANDS), Machines(), Library(), Letters())
-    order, files = _made(ORDERING), (OpenJob(), ExportJob(), Report(), program.Compare())
+    order, files = _made(ORDERING), (OpenJob(), ExportJob(), SaveJobTemplate(), Report(), program.Compare())
     setting_up, manual = (FirstSteps(), Assistant(), Install()), (Help(),)
     turning = _made(TURNING)
     kinds = (drawing, areas, lines_and_holes, sheets)

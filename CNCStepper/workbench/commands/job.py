@@ -12,6 +12,7 @@ from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
 from CNCStepper.workbench.services.view_fit import show_all
+from CNCStepper.workbench.templates.around import Around
 
 
 class NewJob(Command):
@@ -38,21 +39,32 @@ def _job(document: Any) -> Any:
     from CNCStepper.workbench import api
     from CNCStepper.workbench.viewproviders.job import previews
 
-    job = labelled(api.new_job(document, **preferred_values.of_new_job(), **_stock()), tr("Job"))
+    around = _around()
+    job = labelled(api.new_job(document, **preferred_values.of_new_job(), **_stock(around)), tr("Job"))
+    job.Proxy.made_round = around
     api.add_tool(job, **default_values.tool(job))
     for preview in previews(job):
         labelled(preview, tr("Preview"))
     return job
 
 
-def _stock() -> dict[str, Any]:
-    """Return the values that the selection gives; none where nothing is selected."""
+def _around() -> Around:
+    """Return what the selection gives the stock."""
     from CNCStepper.workbench.drawings.shapes import box_of, box_of_boxes
 
     if (solid := targets.solid()) is not None:
-        return default_values.stock_of_solid(box_of(solid))
+        return Around(box_of(solid), is_solid=True)
     boxes = [box for drawing, _ in targets.drawings() if (box := box_of(drawing)).isValid()]
-    return default_values.stock_of_drawing(box_of_boxes(boxes), preferred_values.thickness_mm()) if boxes else {}
+    return Around(box_of_boxes(boxes)) if boxes else Around()
+
+
+def _stock(around: Around) -> dict[str, Any]:
+    """Return the values of the stock round a solid or drawings; none round nothing."""
+    if around.box is None:
+        return {}
+    if around.is_solid:
+        return default_values.stock_of_solid(around.box)
+    return default_values.stock_of_drawing(around.box, preferred_values.thickness_mm())
 
 
 class ImportTools(Command):

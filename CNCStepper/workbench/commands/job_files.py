@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands that open and export job files and write a job's report; they stand in the menu alone."""
+"""The commands that open and export job files, save templates and write a job's report; they are in the menu alone."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
@@ -64,6 +65,28 @@ class ExportJob(Command):
         job.Document.recompute()
         export_job(job, path)
         note(tr("{0} was written").format(path))
+
+
+class SaveJobTemplate(Command):
+    """Saves the job's set-up as a template, with which new jobs begin."""
+
+    name = "CNCStepper_SaveJobTemplate"
+    menu_text = QT_TRANSLATE_NOOP("CNCStepper_SaveJobTemplate", "Save as job template…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "CNCStepper_SaveJobTemplate",
+        "Saves machine, material, stock, work zero and tools of the job under a name; a new job can begin with them",
+    )
+
+    def why_not(self) -> str:
+        """Return why there is no job that can be saved so."""
+        no_job = missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
+        return no_job or targets.why_not_by_process(tuple(PROCESSES))
+
+    def run(self) -> None:
+        """Ask for the name, and save the template."""
+        from CNCStepper.workbench.templates.save_dialog import ask_to_save
+
+        ask_to_save(targets.job())
 
 
 class Report(Command):

@@ -110,21 +110,21 @@ def begun(document: Any, job: Job, label: str) -> Any:
     """Return a new job object with the values of a job, without its tools and operations; raises as `opened`."""
     from CNCStepper.workbench import api
 
-    obj = api.new_job(document, **_job_values(job, label))
+    obj = api.new_job(document, **job_values(job, label))
     obj.Label = label
     return obj
 
 
 def replaced(obj: Any, job: Job) -> None:
     """Give a job object the values of a job, without the tools and operations that it had; raises JobError."""
-    edit(obj, **_job_values(job, obj.Label))
+    edit(obj, **job_values(job, obj.Label))
     gone = [*obj.Operations, *obj.Tools]
     obj.Operations, obj.Tools, obj.Clamps = [], [], []
     for each in gone:
         obj.Document.removeObject(each.Name)
 
 
-def _job_values(job: Job, label: str) -> dict[str, Any]:
+def job_values(job: Job, label: str) -> dict[str, Any]:
     """Return the values of a job object by their keys; raises JobError for a stock that FreeCAD has none of."""
     if job.stock.heights_mm is not None:
         what, advice = "FreeCAD has no stock of a height field", "run this job with cncstepper run"
@@ -148,7 +148,7 @@ def filled(obj: Any, job: Job, objects_with: ObjectsWith) -> Iterator[None]:
     """
     tools = {}
     for tool in job.tool:
-        tools[tool.number] = _tool(obj, tool)
+        tools[tool.number] = add_tool_of_file(obj, tool)
         yield
     for cycle in job.operation:
         _operation(obj, cycle, tools[cycle.tool], objects_with)
@@ -156,8 +156,8 @@ def filled(obj: Any, job: Job, objects_with: ObjectsWith) -> Iterator[None]:
     obj.Clamps = [_clamp(obj.Document, clamp) for clamp in job.clamp]
 
 
-def _tool(obj: Any, tool: Any) -> Any:
-    """Add a tool: the one that the cut chart describes, where it is that, else by its own values."""
+def add_tool_of_file(obj: Any, tool: Any) -> Any:
+    """Return a new tool of a job: the one that the cut chart describes, where it is that, else by its own values."""
     from CNCStepper.machine.tools.stored_tool import given_keys
     from CNCStepper.workbench import api
 

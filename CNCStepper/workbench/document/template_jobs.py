@@ -86,10 +86,14 @@ def new_template(drawing: Any, job: Any) -> Content:
     from CNCStepper.workbench.templates.draft import first_rules
 
     rules = first_rules((each.Layer, each.Colour) for each in drawing.Group if hasattr(each, "Layer"))
-    return {**_job_keys(job), "drawing": _reading(drawing), "rule": rules}
+    return {**job_keys(job), "drawing": _reading(drawing), "rule": rules}
 
 
-def _job_keys(job: Any) -> Content:
+def job_keys(job: Any) -> Content:
+    """Return the keys of a template that a job gives: machine, tools, stock and all else but shapes and operations.
+
+    Raises CNCStepperError for a job that is wrong.
+    """
     from CNCStepper.job.files.job_text import job_content
     from CNCStepper.workbench.document.core_job import without_operations
 

@@ -124,6 +124,13 @@ class Job(ProgramJob):
         """Return what draws stock and clamps."""
         return StockAndClamps()
 
+    def entries(self) -> list[Entry]:
+        """Return the entries of every job, and what saves its set-up."""
+        from CNCStepper.workbench.commands.job_files import SaveJobTemplate
+
+        template = SaveJobTemplate()
+        return [*super().entries(), Entry(template.text(), template.name, template.run, template.why_not())]
+
 
 class LatheJob(ProgramJob):
     """The view of a lathe's job: the half section of bar, chuck and tailstock in the XZ plane, and their circles."""

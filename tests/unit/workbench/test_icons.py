@@ -52,7 +52,7 @@ def test_every_command_and_every_object_has_an_icon() -> None:
         for path in (ROOT / "CNCStepper" / "workbench" / "features").rglob("*.py")
         for name in re.findall(r'^    Type = "(CNCStepper_\w+)"', path.read_text("utf-8"), re.MULTILINE)
     }
-    assert len(commands) == 54
+    assert len(commands) == 55
     assert len(objects) == 35
     assert commands | objects | {"CNCStepper"} <= there
 
