@@ -24,6 +24,7 @@ from CNCStepper.simulation.turning.half_section import HalfSection, solid
 from CNCStepper.tolerances import SAME_MM
 
 PARTS = 16  # into which the longer side of a ring is divided, to look how far it is from the other part
+MOST_CORNERS = 1000  # of a ring and of the part beside it, that are looked at as they are
 DECIMALS = 6  # of lengths, mm
 BESIDE_MM = 1e-7  # how far beside a corner a region is looked at
 NO_DIFFERENCE_MM = 1e-4  # between the side of a ring and that of a part, a little beside a place
@@ -89,8 +90,8 @@ def _rings(own: HalfSection, other: HalfSection, first: bool, same_mm: float) ->
         size = z_high - z_low, r_high - r_low
         if min(size) <= same_mm:
             continue
-        slabs = _slabs(shapely.segmentize(region, max(size) / PARTS))
-        depth_mm, z_mm, (low, high) = _deepest(slabs, _near(own.region, region, max(size)))
+        slabs = _slabs(shapely.segmentize(_thinned(region), max(size) / PARTS))
+        depth_mm, z_mm, (low, high) = _deepest(slabs, _thinned(_near(own.region, region, max(size))))
         if depth_mm > same_mm:
             beside_mm = z_mm + BESIDE_MM * np.sign((z_low + z_high) / 2 - z_mm)  # not on a step
             side, span = _side(beside_mm, low, high, other), _thicker_than(slabs, same_mm) or (z_low, z_high)
@@ -114,8 +115,16 @@ class _Slabs(NamedTuple):
     high: np.ndarray
 
 
+def _thinned(region: BaseGeometry) -> BaseGeometry:
+    """Return a region of many chords with fewer of them, so that the work does not grow with their square."""
+    many = shapely.get_num_coordinates(region) > MOST_CORNERS
+    return shapely.simplify(region, NO_DIFFERENCE_MM) if many else region
+
+
 def _slabs(region: BaseGeometry) -> _Slabs:
     bounds = np.unique(shapely.get_coordinates(region)[:, 0])
+    if len(bounds) > MOST_CORNERS:
+        bounds = bounds[np.linspace(0, len(bounds) - 1, MOST_CORNERS).astype(int)]
     wide = np.flatnonzero(np.diff(bounds) > 2 * BESIDE_MM)
     begin, end = bounds[wide], bounds[wide + 1]
     z = np.column_stack([begin, (begin + end) / 2, end])

@@ -62,6 +62,18 @@ def test_a_cone_differs_from_where_it_leaves_the_tolerance_and_most_at_its_end()
     assert ring.depth_mm == pytest.approx(0.41 * np.cos(np.arctan(0.01)), abs=1e-6)  # across the cone
 
 
+def test_a_profile_of_many_chords_is_compared_in_seconds() -> None:
+    """Without fewer chords the work grows with their square: that of these takes half a minute."""
+    z = np.linspace(-160, 0.5, 5000)
+
+    def waves(radius_mm: float) -> HalfSection:
+        course = np.column_stack([z, radius_mm + 3 * np.sin(z / 7)])
+        return HalfSection(shapely.Polygon([(-170, 0), *course, (0.5, 0)]))
+
+    ring = only_ring(waves(20.0), waves(20.05))
+    assert ring.depth_mm == pytest.approx(0.05, abs=2e-4) and ring.z_mm == pytest.approx((-160, 0.5), abs=0.1)
+
+
 @pytest.mark.parametrize("seed", SEEDS[:5])
 def test_random_parts_differ_where_points_on_a_grid_say(seed: int) -> None:
     random = np.random.default_rng(seed)
