@@ -41,7 +41,6 @@ SAME_WRITTEN_VALUE = 0.0006  # speeds in rpm and dwells in s that a text has wit
 SAME_SURFACE_SPEED = 1e-3  # surface speeds that a text has in other units, by their share
 SAME_TRANSLATED_FEED = 0.001  # feeds of a program and of its translation, in mm/min and by their share
 SAME_CURVE_MM = 1e-3  # curves that are nearer than this everywhere are one that is drawn twice
-SAME_MARGIN_MM = 1e-3  # how far stock reaches beyond the drawings of a job on its sides: one margin
 SAME_HOLE_MM = 1e-3  # centres of two holes of a pattern that are one hole
 TOUCHING_MM = 1e-3  # a point that is nearer to a boundary is on neither side of it
 COMMON_LINE_MM = 0.002  # edges of nested parts that face each other a kerf apart, so that one cut serves both

@@ -35,14 +35,21 @@ class Interface(QtCore.QObject):
     """Runs functions on the interface thread, also while a modal dialog or another loop is open there.
 
     `while_asked` runs there after each of them, while pytest's thread still waits for the answer.
+
+    FreeCAD 0.20 keeps Python's lock in a modal dialog that Python has opened: pytest's thread gets it only when Python
+    runs there. A timer sees to that.
     """
 
+    LET_GO_EVERY_MS = 50
     _asked = QtCore.Signal(object)
 
     def __init__(self) -> None:
         """Make it on the interface thread: that is where the functions will run."""
         super().__init__()
         self.while_asked: Callable[[], None] = lambda: None
+        self._timer = QtCore.QTimer(self)
+        self._timer.timeout.connect(lambda: time.sleep(0))
+        self._timer.start(self.LET_GO_EVERY_MS)
         self._asked.connect(self._answer, QtCore.Qt.ConnectionType.QueuedConnection)
 
     @QtCore.Slot(object)

@@ -30,6 +30,7 @@ KEYS = ("Tab", "Tab", "Up", "Down", "Prior", "Next", "Return", "space", "Ctrl+A"
 TOUCHED = ("QAbstractButton", "QLineEdit", "QAbstractSpinBox", "QComboBox", "QAbstractItemView")
 LEFT_ALONE = ("_choose", "_file", "_import", "_help")  # buttons that open FreeCAD's dialogs of files, or a browser
 LAST = 60  # steps that a failure names
+MOST_UNDOS = 500
 ANSWERS_S = 30.0  # so long may the interface thread be busy with one step
 
 
@@ -72,10 +73,19 @@ class Monkey:
         raise AssertionError(f"a panel cannot be left: {self._hand.describe()}")
 
     def undo_all(self, document: Any) -> None:
-        """Press Ctrl+Z until nothing is left to undo."""
-        while count := self._hand.main(lambda: document.UndoCount):
+        """Press Ctrl+Z until nothing is left to undo; FreeCAD hears it when its menu has followed the document.
+
+        What a panel's OK began beside the window may become a step of its own meanwhile.
+        """
+        action = self._hand.main(lambda: FreeCADGui.Command.get("Std_Undo").getAction()[0])
+        for _ in range(MOST_UNDOS):
+            names = self._hand.main(lambda: list(document.UndoNames))
+            if not names:
+                return
+            self._hand.wait(action.isEnabled, what="the entry of the menu")
             self._hand.undo()
-            self._hand.wait(lambda count=count: document.UndoCount < count, what="the undo")
+            self._hand.wait(lambda names=names: list(document.UndoNames) != names, what=f"the undo of {names[:2]}")
+        raise AssertionError(f"after {MOST_UNDOS} times Ctrl+Z there is something left to undo: {names[:2]}")
 
     def _in_popup(self) -> None:
         rows = self._hand.main(rows_of_popup)

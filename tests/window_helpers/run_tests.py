@@ -89,14 +89,31 @@ def paint_views_apart(area):
     area.winId()
 
 
+def still_loads():
+    """Tell whether the workbench is to load what its first panels need: Python 3.11 may hand a module half loaded to
+    one thread where another loads it.
+    """
+    import FreeCADGui
+
+    from window_helpers import window_kinds
+
+    if window_kinds.AUTOLOAD not in os.environ and FreeCADGui.activeWorkbench().name() != "CNCStepperWorkbench":
+        return True
+    warmup = sys.modules.get("CNCStepper.workbench.calculation.import_warmup")
+    return warmup is not None and not sys.modules.keys() >= set(warmup.WINDOW_MODULES)
+
+
 def begin():
-    """Start pytest's thread; FreeCAD is up now and handles events."""
+    """Start pytest's thread when FreeCAD is up and handles events, and the workbench has loaded."""
     import FreeCAD
     import FreeCADGui
-    from PySide import QtGui
+    from PySide import QtCore, QtGui
 
     from window_helpers import interface
 
+    if still_loads():
+        QtCore.QTimer.singleShot(200, begin)
+        return
     print("FreeCAD", ".".join(FreeCAD.Version()[:3]), "Python", sys.version.split()[0], file=sys.__stdout__, flush=True)
     FreeCADGui.getMainWindow().showMaximized()
     QtGui.QApplication.setCursorFlashTime(0)  # a cursor that blinks has the whole 3D view painted, by the processor

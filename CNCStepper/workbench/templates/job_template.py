@@ -20,7 +20,7 @@ from CNCStepper.job.templates.template_files import template_paths, with_whole_p
 from CNCStepper.machine.files.profile_files import SUFFIX
 from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.machine.processes import is_turning
-from CNCStepper.tolerances import SAME_MARGIN_MM
+from CNCStepper.tolerances import TOUCHING_MM
 from CNCStepper.workbench import api, packages
 from CNCStepper.workbench.document import default_values
 from CNCStepper.workbench.document.default_values import FEEDS, untyped_feeds
@@ -66,7 +66,7 @@ def _margin_mm(job: Any) -> float | None:
     box, (length, width, _), (x, y, _) = box_of_boxes(boxes), size_mm(job), job.WorkOrigin
     left, front = (x - length / 2, y - width / 2) if job.StockOrigin == "top-centre" else (x, y)
     sides = (box.XMin - left, box.YMin - front, left + length - box.XMax, front + width - box.YMax)
-    if min(sides) < 0 or max(sides) - min(sides) > SAME_MARGIN_MM:
+    if min(sides) < 0 or max(sides) - min(sides) > TOUCHING_MM:
         return None
     return float(round(sides[0], 3))
 
