@@ -36,7 +36,7 @@ from CNCStepper.tolerances import SAME_MM
 from CNCStepper.toolpath import LINE, PLANE_AXES
 from CNCStepper.units import UNIT_MM
 
-MORE_DECIMALS = 2  # than programs have, so that a place within a move lies on it
+MORE_DECIMALS = {"mm": 2, "inch": 3}  # than programs have, so that a place within a move lies on it
 CENTRES = "IJK"
 _MODES = tuple(sorted(PATH_MODES | RETRACT_MODES | OVERRIDES))
 
@@ -52,7 +52,7 @@ class EntryWriter:
         self.state = model.state
         self.dialect = program.dialect
         self.unit_mm = UNIT_MM[self.state.units]
-        self.decimals = dialect_decimals(self.dialect, self.state.units) + MORE_DECIMALS
+        self.decimals = dialect_decimals(self.dialect, self.state.units) + MORE_DECIMALS[self.state.units]
 
     def lines(self, marks: int = 0) -> list[str]:
         """Return the lines, in their order; `marks`: how many lines come before them."""

@@ -112,6 +112,10 @@ def test_random_programs_restarted_at_random_places_are_cut_whole():
     seeded(SEED, FEW)
 
 
+def test_an_entry_in_inches_across_work_systems_is_near_enough_to_its_place():
+    seeded(770399865, 1)
+
+
 @pytest.mark.slow
 def test_many_random_programs_restarted_at_random_places_are_cut_whole():
     seeded(SEED + FEW, MANY)
