@@ -100,7 +100,7 @@ def still_loads():
     if window_kinds.AUTOLOAD not in os.environ and FreeCADGui.activeWorkbench().name() != "CNCStepperWorkbench":
         return True
     warmup = sys.modules.get("CNCStepper.workbench.calculation.import_warmup")
-    return warmup is not None and not sys.modules.keys() >= set(warmup.WINDOW_MODULES)
+    return warmup is not None and not warmup.ended
 
 
 def begin():

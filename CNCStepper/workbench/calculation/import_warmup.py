@@ -9,12 +9,14 @@ opening.py ──► after AFTER_MS: begin ──► thread: modules of the core
 
 from __future__ import annotations
 
+import contextlib
 import importlib
 from collections.abc import Iterator
 from concurrent.futures import Future
 from typing import Any
 
 from CNCStepper.control.processes.background_thread import in_background
+from CNCStepper.errors import MissingPackage
 
 AFTER_MS = 500  # the window is painted first
 MODULES = (  # of the core alone: modules of FreeCAD and Qt belong to the window's thread
@@ -60,6 +62,8 @@ WINDOW_MODULES = (  # an import of `api` or of the panels is long as a whole: it
     "CNCStepper.workbench.panels.catalogue",
 )
 
+ended = False  # whether `begin_in_window` has loaded all that can be loaded
+
 
 def begin() -> Future[None]:
     """Load all in a thread; what is loaded already costs nothing."""
@@ -69,10 +73,16 @@ def begin() -> Future[None]:
 def load() -> None:
     """Load all: what the window then needs of it is there."""
     for name in MODULES:
-        importlib.import_module(name)
+        _load(name)
     from CNCStepper.geometry.curve import from_points
 
     _ = from_points([(0.0, 0.0), (1.0, 0.0)], closed=False).length_mm
+
+
+def _load(name: str) -> None:
+    """Load a module, unless a package that it needs is missing: that is told where a person needs it."""
+    with contextlib.suppress(ModuleNotFoundError, MissingPackage):
+        importlib.import_module(name)
 
 
 def begin_in_window() -> None:
@@ -92,8 +102,10 @@ def _load_next(loaded: Future[None], left: Iterator[str], timer: Any) -> None:
     if not loaded.done():
         return
     if (name := next(left, "")) and loaded.exception() is None:
-        importlib.import_module(name)
+        _load(name)
         return
+    global ended
+    ended = True
     timer.stop()
     timer.deleteLater()
     loaded.result()
