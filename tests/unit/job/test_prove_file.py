@@ -15,6 +15,7 @@ import pytest
 from CNCStepper.control.program.certificate import Certificate
 from CNCStepper.errors import JobError, ProgramError
 from CNCStepper.gcode.interpreter import program_file
+from CNCStepper.gcode.interpreter.fast_path import compiled_reader  # noqa: F401  before CHUNK_ROWS is set
 from CNCStepper.job import prove_file as prove_file_module
 from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.job.prove import prove
