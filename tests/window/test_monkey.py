@@ -10,11 +10,10 @@ from __future__ import annotations
 import os
 from typing import Any
 
-import Draft
 import FreeCAD
 import FreeCADGui
+import Part
 import pytest
-from FreeCAD import Vector
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.wire.read_back import refused_lines
@@ -36,7 +35,9 @@ def draw() -> Any:
     """Return a document with a job of milling and every operation of it, texts and shapes; nothing to undo."""
     document = FreeCAD.newDocument("Monkey")
     document.UndoMode = 1
-    outline = Draft.make_rectangle(60, 40, FreeCAD.Placement(Vector(-30, -20, 0), FreeCAD.Rotation()))
+    # No object of Draft: its editor, which a double click opens, crashes FreeCAD 1.1.3 when the document is closed.
+    outline = document.addObject("Part::Feature", "Outline")
+    outline.Shape = Part.makePolygon([(-30, -20, 0), (30, -20, 0), (30, 20, 0), (-30, 20, 0), (-30, -20, 0)])
     job = api.new_job(document)
     api.add_tool(job, diameter_mm=6)
     for cycle, kind in OPERATIONS.items():

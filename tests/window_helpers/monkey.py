@@ -84,7 +84,11 @@ class Monkey:
                 return
             self._hand.wait(action.isEnabled, what="the entry of the menu")
             self._hand.undo()
-            self._hand.wait(lambda names=names: list(document.UndoNames) != names, what=f"the undo of {names[:2]}")
+            try:
+                self._hand.wait(lambda names=names: list(document.UndoNames) != names, what=f"the undo of {names[:2]}")
+            except AssertionError:
+                print(f"to be undone: {names}; to be done again: {self._hand.main(lambda: document.RedoNames)}")
+                raise
         raise AssertionError(f"after {MOST_UNDOS} times Ctrl+Z there is something left to undo: {names[:2]}")
 
     def _in_popup(self) -> None:
