@@ -52,11 +52,12 @@ if TYPE_CHECKING:
     from CNCStepper.simulation.removal.timeline import TimelinePosition
     from CNCStepper.simulation.views.scene import Scene
 
-STAGES = ("make", "read", "cut", "time", "judge", "check", "report")  # arguments of `tell`, in this order
+STAGES = ("read", "cut", "make", "time", "judge", "check", "report")  # arguments of `tell`, in this order
 Tell = Callable[[str], None]
 Share = Callable[[float], None]
 See = Callable[[HeightMap], None]
 AnyProof = TypeVar("AnyProof", "Proof", "FileProof")
+Wanted = Callable[[], tuple[Sequence[Answer], Sequence[Removal]]]
 
 
 class ProofOptions(TypedDict, total=False):
@@ -149,6 +150,46 @@ class PriorPrograms:
         return cls(toolpath, tuple(digest_of_text(proof.given.text) for proof in proofs))
 
 
+@dataclass(frozen=True)
+class CutProgram:
+    """A program text read back, and what it cuts.
+
+    language: in which it was read. wire, motors, toolpath, part: as in `Proof`. moves: the tool's after those that have
+    cut the stock before.
+    """
+
+    language: str
+    wire: WireText
+    motors: Toolpath
+    toolpath: Toolpath
+    moves: Toolpath
+    part: HeightMap | None
+
+
+def cut_program(
+    text: str,
+    machine: Machine,
+    *,
+    file: str = "",
+    dialect: str = "",
+    start: Start | None = None,
+    stock: Stock | None = None,
+    tools: dict[int, Tool] | Tool | None = None,
+    before: PriorPrograms | None = None,
+    tell: Tell = lambda stage: None,
+    share: Share = lambda share: None,
+    see: See = lambda part: None,
+) -> CutProgram:
+    """Read a program text back and cut its part: the first half of `prove`, which has the meanings."""
+    language = machine.language(dialect)
+    tell("read")
+    wire, motors, toolpath = wire_round_trip(text, machine, language, file, start, share)
+    require_straight_axes(motors, file)
+    tell("cut")
+    moves = followed(before.toolpath, toolpath) if before else toolpath
+    return CutProgram(language, wire, motors, toolpath, moves, _part(moves, tools, stock, see))
+
+
 def prove(
     text: str,
     machine: Machine,
@@ -168,6 +209,7 @@ def prove(
     tell: Tell = lambda stage: None,
     share: Share = lambda share: None,
     see: See = lambda part: None,
+    cut: CutProgram | None = None,
 ) -> Proof:
     """Return the proof of a program text; raises ProgramError for a text that cannot be read.
 
@@ -176,29 +218,28 @@ def prove(
     from the sheet's edge cuts must stay. before: the programs that have cut this stock; `removals` hold theirs too.
     process, cut_data, parts: how it cuts, the row of the cut chart, and the shapely polygons that are to be left whole.
     tell: called with the stage that begins, one of STAGES. share: called with the share of reading and timing, 0 to 1.
-    see: called with the part once it is cut, before judging.
+    see: called with the part once it is cut, before judging. cut: the text read and its part cut, where that is done.
     """
-    language = machine.language(dialect)
-    tell("read")
-    wire, motors, toolpath = wire_round_trip(text, machine, language, file, start, share)
-    require_straight_axes(motors, file)
-    tell("cut")
-    moves = followed(before.toolpath, toolpath) if before else toolpath
-    part = _part(moves, tools, stock, see)
+    if cut is None:
+        options: dict[str, Any] = {"tell": tell, "share": share, "see": see, "before": before}
+        cut = cut_program(text, machine, file=file, dialect=dialect, start=start, stock=stock, tools=tools, **options)
+    toolpath, moves = cut.toolpath, cut.moves
     tell("time")
-    ends_s, whole_s = times_and_whole_s(begun(motors), machine, share)
+    ends_s, whole_s = times_and_whole_s(begun(cut.motors), machine, share)
     tell("judge")
     judgement = judge(moves, tools, list(removals), stock) if tools is not None and removals else None
     tell("check")
     prior = before.sha256 if before else ()
-    given = Given(text, language, machine, stock, tools, removals, keep_out, edge_mm, prior, process, cut_data, parts)
+    known = (stock, tools, removals, keep_out, edge_mm, prior, process, cut_data, parts)
+    given = Given(text, cut.language, machine, *known)
     sheet = _sheet(given, moves, ends_s)
-    findings = _checked(given, toolpath, motors, moves, judgement, sheet, file)
+    findings = _checked(given, toolpath, cut.motors, moves, judgement, sheet, file)
     tell("report")
-    cut: dict[str, Any] = {"judgement": judgement, "part": part, "tools": tools}
+    facts: dict[str, Any] = {"judgement": judgement, "part": cut.part, "tools": tools}
     free = sheet.told() if sheet else []
-    told = report(toolpath, ends_s, whole_s=whole_s, file=file, findings=findings, pieces=free, **cut)
-    return Proof(wire, toolpath, motors, ends_s, findings, part, told, given, _own_pieces(sheet, toolpath, moves))
+    told = report(toolpath, ends_s, whole_s=whole_s, file=file, findings=findings, pieces=free, **facts)
+    pieces = _own_pieces(sheet, toolpath, moves)
+    return Proof(cut.wire, toolpath, cut.motors, ends_s, findings, cut.part, told, given, pieces)
 
 
 def _own_pieces(sheet: SheetVerdict | None, toolpath: Toolpath, moves: Toolpath) -> list[FreePiece]:
@@ -270,17 +311,17 @@ def prove_job(
     earlier: the proofs of the programs that the job was split into and that are run before this one, in their order.
     answers: those of the program's own operations, where they were just cut; else they are cut again.
     """
-    if tell := options.get("tell"):
-        tell("make")
-    answers = answers_of(job, machine, len(earlier)) if answers is None else answers
-    own = [removal for answer in answers for removal in answer.removals]
+
+    def wanted() -> tuple[Sequence[Answer], Sequence[Removal]]:
+        own = answers_of(job, machine, len(earlier)) if answers is None else answers
+        return own, removals_of(own, earlier)
+
     proof = prove_operations(
         job,
         machine,
         text,
-        answers,
+        wanted,
         first=operations_before(job, len(earlier)),
-        removals=own + (list(earlier[-1].given.removals) if earlier else []),
         before=PriorPrograms.of(earlier),
         file=file,
         start=start,
@@ -289,15 +330,26 @@ def prove_job(
     return with_findings(proof, list(_refused(earlier, file)))
 
 
-def inputs_of(job: Job, machine: Machine, answers: Sequence[Answer], start: Start | None) -> dict[str, Any]:
-    """Return the keyword arguments of `prove` and `prove_file` that a job gives."""
-    cut = job.on(machine)
+def removals_of(answers: Sequence[Answer], earlier: Sequence[Proof]) -> list[Removal]:
+    """Return the shapes that operations want removed, with those of the programs before them."""
+    own = [removal for answer in answers for removal in answer.removals]
+    return own + (list(earlier[-1].given.removals) if earlier else [])
+
+
+def cut_inputs_of(job: Job, machine: Machine, start: Start | None) -> dict[str, Any]:
+    """Return the keyword arguments of `cut_program` that a job gives."""
     return {
         "start": job.started(start, machine),
         "stock": job.stock.stock(),
-        "tools": tools_of(cut),
+        "tools": tools_of(job.on(machine)),
+    }
+
+
+def inputs_of(job: Job, machine: Machine, answers: Sequence[Answer], start: Start | None) -> dict[str, Any]:
+    """Return the keyword arguments of `prove` and `prove_file` that a job gives."""
+    return cut_inputs_of(job, machine, start) | {
         "process": job.cutting,
-        "cut_data": cut.cut_data,
+        "cut_data": job.on(machine).cut_data,
         "parts": [part for answer in answers for part in answer.parts],
         "keep_out": job.clamps,
         "edge_mm": job.stock.edge_mm,
@@ -308,10 +360,9 @@ def prove_operations(
     job: Job,
     machine: Machine,
     text: str,
-    answers: Sequence[Answer],
+    wanted: Wanted,
     *,
     first: int,
-    removals: Sequence[Removal],
     before: PriorPrograms | None,
     file: str = "",
     start: Start | None = None,
@@ -319,11 +370,15 @@ def prove_operations(
 ) -> Proof:
     """Return the proof of a text that runs some of a job's operations, on the stock that others may have cut before.
 
-    answers: of the operations that it runs, of which `first` of the job's come before. removals: what those before
-    and these want removed together.
+    wanted: asked once the part is cut, so that a person sees it sooner: the answers of the operations that it runs, of
+    which `first` of the job's come before, and what those before and these want removed together.
     """
+    cut = cut_program(text, machine, file=file, before=before, **cut_inputs_of(job, machine, start), **options)
+    if tell := options.get("tell"):
+        tell("make")
+    answers, removals = wanted()
     inputs = inputs_of(job, machine, answers, start)
-    proof = prove(text, machine, file=file, removals=removals, before=before, **inputs, **options)
+    proof = prove(text, machine, file=file, removals=removals, before=before, cut=cut, **inputs, **options)
     lines, spans = FirstLines.of(proof.toolpath), proof.toolpath.spans
     own = list(findings_of(job, machine, lines, spans, answers, file, first))
     return with_findings(with_answers(proof, answers), own)

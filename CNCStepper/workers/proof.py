@@ -130,14 +130,19 @@ def _refuse(folder: Path, error: CNCStepperError) -> None:
 
 
 def _warm_up() -> None:
-    """Prove a small job, so that modules and kernels are loaded when the question comes.
+    """Prove a small job and read a text by kernels, so that all are loaded when the question comes.
 
     A fault is printed only: the proof that is asked for meets it again and answers with it.
     """
+    from CNCStepper.gcode.interpreter.fast_path.policy import PAYS_WITH_LOADING, pays
+    from CNCStepper.workers.kernel_warm_up import read_all_ways
+
     try:
         with tempfile.TemporaryDirectory(prefix="cncstepper-") as name, contextlib.redirect_stdout(io.StringIO()):
             _write_small_question(Path(name))
             answer(Path(name), "")
+            if pays(PAYS_WITH_LOADING):
+                read_all_ways()
     except Exception:
         traceback.print_exc()
 

@@ -61,9 +61,9 @@ def regular_file(program: Path) -> Iterator[Path]:
 
 
 STAGES = {
-    "make": Text("making the shapes of"),
     "read": Text("reading back"),
     "cut": Text("cutting the stock by"),
+    "make": Text("making the shapes of"),
     "time": Text("timing"),
     "judge": Text("judging the part of"),
     "check": Text("checking"),

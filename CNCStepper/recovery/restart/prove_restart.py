@@ -15,17 +15,19 @@ from typing import Any, Unpack
 
 from CNCStepper.control.journal.replay import FirstProgram, pairs_of
 from CNCStepper.control.program.certificate import Certificate, digest_of_text
+from CNCStepper.cycles.cycle import Answer, Removal
 from CNCStepper.errors import Place
-from CNCStepper.job.make import is_split, make_parts, make_program
 from CNCStepper.job.make_certificate import certificate_of
 from CNCStepper.job.model import Job
 from CNCStepper.job.prove import (
     PriorPrograms,
     Proof,
     ProofOptions,
+    answers_of,
     operations_before,
     prove,
     prove_operations,
+    removals_of,
     with_findings,
 )
 from CNCStepper.machine.profile import Machine
@@ -108,18 +110,18 @@ def restart_job(
     program = read_on_machine(text, machine, options.get("dialect", ""), job.started(start, machine), file)
     made = restart_of(program, where, _options(machine, job.on(machine).tools, entering))
     options["dialect"] = program.dialect.name
-    if tell := options.get("tell"):
-        tell("make")
-    answers = (make_parts(job, machine)[len(earlier)] if is_split(job, machine) else make_program(job, machine)).answers
     done = sum(span.last <= made.entrance.row for span in made.program.operations)
-    removals = [removal for answer in answers for removal in answer.removals]
+
+    def wanted() -> tuple[Sequence[Answer], Sequence[Removal]]:
+        answers = answers_of(job, machine, len(earlier))
+        return answers[done:], removals_of(answers, earlier)
+
     proof = prove_operations(
         job,
         machine,
         made.text,
-        answers[done:],
+        wanted,
         first=operations_before(job, len(earlier)) + done,
-        removals=removals + (list(earlier[-1].given.removals) if earlier else []),
         before=_before(made, text, earlier),
         file=restart_name(file),
         start=made.start,

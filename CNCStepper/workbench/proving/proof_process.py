@@ -187,7 +187,6 @@ class ProofRun(QtCore.QObject):
             write_question(path, self._program)
             write_start(path, self._begins)
             write_place(path, self._place)
-            message_translation.make_ready()  # findings are to be said
             return _fingerprint(path, *names)
 
         return in_background(write)
@@ -199,6 +198,7 @@ class ProofRun(QtCore.QObject):
             self._drop_folder()
             self.finished.emit(ProofRun._last[1])
             return
+        in_background(message_translation.make_ready)  # findings are to be said; read while the process proves
         if (waiting := standby.take(self)) is not None:
             self._ask_process(waiting)
             return

@@ -85,13 +85,13 @@ class Scene:
         return deepest_shown_mm(float(part.heights_mm.min()), low, high), high
 
     def load_part(self) -> Iterator[None]:
-        """Add stock and finished part, a few ms at a time."""
+        """Add stock and finished part, made a few ms at a time; the view is drawn once it is whole."""
         self._root.addChild(self._stock())
         yield
-        self._root.addChild(self._part)
         for piece in _pieces(self._cut.corners, self._cut.rgba):
             self._part.getChild(FINISHED).addChild(piece)
             yield
+        self._root.addChild(self._part)
 
     def load_result(self, result: ProofResult) -> Iterator[None]:
         """Add path, fallen pieces, tools and marker, a few ms at a time."""

@@ -6,6 +6,7 @@ The part is shown as soon as it is cut, the rest when all is proven; without a p
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator
 from itertools import chain
 from typing import TYPE_CHECKING, Any
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from CNCStepper.job.proof_folder import Part
     from CNCStepper.simulation.finding import Finding
     from CNCStepper.workbench.simulation.scene import Scene
+
+LOADS_S = 0.02  # of nodes at a time, and up to one bit more
 
 
 class SimulationTask(ViewTask):
@@ -158,9 +161,12 @@ class SimulationTask(ViewTask):
         player.stand_at_end()
 
     def _load_on(self) -> None:
-        """Bring a bit more in."""
-        if next(self._loading, self) is not None:
-            self._loader.stop()
+        """Bring more in: some ms at a time, for the window is drawn after each, which may take longer."""
+        until_s = time.monotonic() + LOADS_S
+        while next(self._loading, self) is None:
+            if time.monotonic() > until_s:
+                return
+        self._loader.stop()
 
     def _follow(self) -> None:
         """Put the tool, what has fallen and the marked line where the player stands."""
