@@ -121,8 +121,8 @@ def _read(path: Path) -> Touches:
 
 
 def files(version: str) -> list[Path]:
-    """Return what the runs of a version have written, without the kinds on demand, which click at random."""
-    kinds = [f"-{kind}" for kind in window_kinds.KINDS if kind not in window_kinds.ON_DEMAND]
+    """Return what the runs of a version have written, without the kinds whose clicks prove nothing."""
+    kinds = [f"-{kind}" for kind in window_kinds.KINDS if kind not in window_kinds.UNCOUNTED]
     paths = [PICTURES / f"{version}{kind}" / FILE for kind in ("", *kinds)]
     return [path for path in paths if path.exists()]
 
