@@ -156,7 +156,7 @@ class Hand:
             pressed = self.main(places.Pressed, target)
             self._click_place(place, button, double, modifiers)
             if button == x_input.LEFT:
-                self._is_soon(pressed.told)
+                self.is_soon(pressed.told)
             if self.main(pressed.end) or button != x_input.LEFT:
                 return
             print(f"{target} did not see the click", flush=True)
@@ -166,7 +166,7 @@ class Hand:
         """Click a widget that rests already, of many one after the other; the caller looks at the effect of each."""
         self._click_place(self.main(places.of_widget, target, None))
 
-    def _is_soon(self, condition: Callable[..., bool], *arguments: Any) -> bool:
+    def is_soon(self, condition: Callable[..., bool], *arguments: Any) -> bool:
         """Return whether a condition holds after what was clicked; a second click may come too late for the first."""
         until_s = time.monotonic() + SEEN_S
         while not (holds := self.main(condition, *arguments)) and time.monotonic() < until_s:
@@ -263,7 +263,7 @@ class Hand:
         """Click an object in FreeCAD's tree by its label; again where the tree moved under the pointer."""
         for _ in range(CLICKS):
             self._click_place(self._place(places.of_tree_item, label), double=double, modifiers=modifiers)
-            if double or self._is_soon(places.is_selected, label):
+            if double or self.is_soon(places.is_selected, label):
                 return
             print(f"{label} in the tree did not see the click", flush=True)
         raise AssertionError(f"{label} in the tree does not see clicks; {self.describe()}")

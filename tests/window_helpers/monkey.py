@@ -31,6 +31,7 @@ TOUCHED = ("QAbstractButton", "QLineEdit", "QAbstractSpinBox", "QComboBox", "QAb
 LEFT_ALONE = ("_choose", "_file", "_import", "_help")  # buttons that open FreeCAD's dialogs of files, or a browser
 LAST = 60  # steps that a failure names
 MOST_UNDOS = 500
+MOST_UNHEARD = 10  # of them, or heard late
 ANSWERS_S = 30.0  # so long may the interface thread be busy with one step
 
 
@@ -75,20 +76,19 @@ class Monkey:
     def undo_all(self, document: Any) -> None:
         """Press Ctrl+Z until nothing is left to undo; FreeCAD hears it when its menu has followed the document.
 
-        What a panel's OK began beside the window may become a step of its own meanwhile.
+        What a panel's OK began beside the window may become a step of its own meanwhile. FreeCAD switches the entry of
+        its menu some times a second, so that a key can come while it is off: it is pressed again then.
         """
-        action = self._hand.main(lambda: FreeCADGui.Command.get("Std_Undo").getAction()[0])
+        unheard = 0
         for _ in range(MOST_UNDOS):
             names = self._hand.main(lambda: list(document.UndoNames))
             if not names:
                 return
-            self._hand.wait(action.isEnabled, what="the entry of the menu")
             self._hand.undo()
-            try:
-                self._hand.wait(lambda names=names: list(document.UndoNames) != names, what=f"the undo of {names[:2]}")
-            except AssertionError:
-                print(f"to be undone: {names}; to be done again: {self._hand.main(lambda: document.RedoNames)}")
-                raise
+            if self._hand.is_soon(lambda names=names: list(document.UndoNames) != names):
+                continue
+            unheard += 1
+            assert unheard < MOST_UNHEARD, f"to be undone: {names}; done again: {self._hand.main(redo_names, document)}"
         raise AssertionError(f"after {MOST_UNDOS} times Ctrl+Z there is something left to undo: {names[:2]}")
 
     def _in_popup(self) -> None:
@@ -151,6 +151,11 @@ class Monkey:
 
 
 # ---- on the interface thread ----
+
+
+def redo_names(document: Any) -> list[str]:
+    """Return what can be done again."""
+    return list(document.RedoNames)
 
 
 def state_of_window() -> str:
