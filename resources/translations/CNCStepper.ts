@@ -17681,10 +17681,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>a hole would reach beyond its outline</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>a hundred turns are enough</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21529,7 +21525,11 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>its outline would cross itself</source>
+            <source>its outline would cross itself at X{x:.2f} Y{y:.2f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>its outline would have no area</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25941,11 +25941,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the hole at X{x:.2f} Y{y:.2f} would reach {over:.3g} mm beyond its outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the hole for the head</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the hole is too narrow for the boring bar</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the holes at X{x:.2f} Y{y:.2f} and X{x2:.2f} Y{y2:.2f} would overlap by {over:.3g} mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27489,7 +27497,7 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>the step of the notches, in degrees,</source>
+            <source>the step of the notches</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28658,10 +28666,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>two flanges</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>two holes would meet</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -17705,10 +17705,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um furo de {name} fica dentro de outro</translation>
         </message>
         <message>
-            <source>a hole would reach beyond its outline</source>
-            <translation>um furo passaria do contorno</translation>
-        </message>
-        <message>
             <source>a hundred turns are enough</source>
             <translation>cem voltas bastam</translation>
         </message>
@@ -21553,8 +21549,12 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>as operações dele são: {known}</translation>
         </message>
         <message>
-            <source>its outline would cross itself</source>
-            <translation>o contorno cruzaria a si mesmo</translation>
+            <source>its outline would cross itself at X{x:.2f} Y{y:.2f}</source>
+            <translation>seu contorno se cruzaria em X{x:.2f} Y{y:.2f}</translation>
+        </message>
+        <message>
+            <source>its outline would have no area</source>
+            <translation>seu contorno não teria área</translation>
         </message>
         <message>
             <source>its owner</source>
@@ -25965,12 +25965,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o porta-ferramenta da ferramenta {tool} entra no material</translation>
         </message>
         <message>
+            <source>the hole at X{x:.2f} Y{y:.2f} would reach {over:.3g} mm beyond its outline</source>
+            <translation>o furo em X{x:.2f} Y{y:.2f} passaria {over:.3g} mm além do contorno</translation>
+        </message>
+        <message>
             <source>the hole for the head</source>
             <translation>o furo para a cabeça</translation>
         </message>
         <message>
             <source>the hole is too narrow for the boring bar</source>
             <translation>o furo é estreito demais para a barra de mandrilar</translation>
+        </message>
+        <message>
+            <source>the holes at X{x:.2f} Y{y:.2f} and X{x2:.2f} Y{y2:.2f} would overlap by {over:.3g} mm</source>
+            <translation>os furos em X{x:.2f} Y{y:.2f} e X{x2:.2f} Y{y2:.2f} se sobreporiam em {over:.3g} mm</translation>
         </message>
         <message>
             <source>the inner one</source>
@@ -27513,8 +27521,8 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o estado das configurações gravadas não pode ser lido</translation>
         </message>
         <message>
-            <source>the step of the notches, in degrees,</source>
-            <translation>o passo dos entalhes, em graus,</translation>
+            <source>the step of the notches</source>
+            <translation>o passo dos entalhes</translation>
         </message>
         <message>
             <source>the step pulse is shorter than 2 microseconds</source>
@@ -28683,10 +28691,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>two flanges</source>
             <translation>duas mesas</translation>
-        </message>
-        <message>
-            <source>two holes would meet</source>
-            <translation>dois furos se encontrariam</translation>
         </message>
         <message>
             <source>two legs</source>

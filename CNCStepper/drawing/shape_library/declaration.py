@@ -11,6 +11,8 @@ or of its main circle, as its text says.
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -128,26 +130,73 @@ def shape(title: str, about: str, **dimensions: Dimension) -> Callable[[Draw], D
     return declare
 
 
-def require_above(value: float, limit: float, what: str, than: str) -> None:
+def require_above(value: float, limit: float, what: str, than: str, unit: str = " mm") -> None:
     """Raise GeometryError where a dimension is not larger than another one."""
     if not value > limit + SAME_MM:
         what_text = Text("{what} must be larger than {than}", what=what, than=than)
-        raise GeometryError(
-            "shape-size", what_text, value=f"{value:g} mm", limit=f"{limit:g} mm", advice="change one of them"
-        )
+        shown_value, shown_limit = f"{value:g}{unit}", f"{limit:g}{unit}"
+        raise GeometryError("shape-size", what_text, value=shown_value, limit=shown_limit, advice="change one of them")
 
 
 def _require_figure(kind: str, figure: Figure) -> None:
     """Raise GeometryError for an outline that crosses itself, and for holes that leave it or meet each other."""
     outline, *holes = (shapely.Polygon(curve.points(CHORD_MM)) for curve in figure.curves)
     if not outline.is_valid or not outline.area > SAME_MM:
-        raise _impossible(kind, "its outline would cross itself")
+        raise _impossible(kind, _crossing(outline))
     room = shapely.STRtree(holes)
     for number, hole in enumerate(holes):
         if not hole.is_valid or not outline.contains_properly(hole):
-            raise _impossible(kind, "a hole would reach beyond its outline")
-        if any(other != number for other in room.query(hole, predicate="intersects").tolist()):
-            raise _impossible(kind, "two holes would meet")
+            raise _impossible(kind, _beyond(hole, outline))
+        for other in room.query(hole, predicate="intersects").tolist():
+            if other != number:
+                raise _impossible(kind, _meeting(hole, holes[other]))
+
+
+def _crossing(outline: shapely.Polygon) -> str:
+    """Return that an outline crosses itself, and where it does so first."""
+    place = re.search(r"\[(\S+) (\S+)\]", shapely.is_valid_reason(outline))
+    if place is None:
+        return Text("its outline would have no area")
+    x, y = map(float, place.groups())
+    return Text("its outline would cross itself at X{x:.2f} Y{y:.2f}", x=x, y=y)
+
+
+def _beyond(hole: shapely.Polygon, outline: shapely.Polygon) -> str:
+    """Return which hole reaches beyond the outline, and how far."""
+    middle, points = shapely.centroid(hole), shapely.points(shapely.get_coordinates(hole))
+    over_mm = float(shapely.distance(outline, points).max())
+    return Text(
+        "the hole at X{x:.2f} Y{y:.2f} would reach {over:.3g} mm beyond its outline",
+        x=_hundredths(middle.x),
+        y=_hundredths(middle.y),
+        over=over_mm,
+    )
+
+
+def _meeting(one: shapely.Polygon, other: shapely.Polygon) -> str:
+    """Return which holes meet, and how far they overlap between their middles."""
+    first, second = shapely.centroid(one), shapely.centroid(other)
+    return Text(
+        "the holes at X{x:.2f} Y{y:.2f} and X{x2:.2f} Y{y2:.2f} would overlap by {over:.3g} mm",
+        x=_hundredths(first.x),
+        y=_hundredths(first.y),
+        x2=_hundredths(second.x),
+        y2=_hundredths(second.y),
+        over=_overlap_mm(one, other),
+    )
+
+
+def _hundredths(value_mm: float) -> float:
+    """Return a coordinate as it is told, without -0."""
+    return round(value_mm, 2) + 0.0
+
+
+def _overlap_mm(one: shapely.Polygon, other: shapely.Polygon) -> float:
+    """Return the width of what two areas have in common: the shorter side of the least box round it."""
+    corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(shapely.intersection(one, other)))
+    if len(corners) < 4:  # they touch
+        return 0.0
+    return float(min(math.dist(corners[0], corners[1]), math.dist(corners[1], corners[2])))
 
 
 def _impossible(kind: str, why: str) -> GeometryError:

@@ -37,7 +37,7 @@ def locking_wheel(outer_diameter_mm: float, notches: int, notch_diameter_mm: flo
     outer, notch, step_deg = outer_diameter_mm / 2.0, notch_diameter_mm / 2.0, 360.0 / notches
     require_above(2.0 * outer, notch, "the outer diameter", "half a notch")
     half_deg = 2.0 * math.degrees(math.asin(notch / 2.0 / outer))  # of the rim that a notch takes
-    require_above(step_deg, 2.0 * half_deg, "the step of the notches, in degrees,", "a notch")
+    require_above(step_deg, 2.0 * half_deg, "the step of the notches", "a notch", "°")
     turn_deg = 180.0 - half_deg  # of the notch's own circle, whose middle lies on the rim
     rows = []
     for number in range(notches):

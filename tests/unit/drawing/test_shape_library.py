@@ -121,6 +121,20 @@ def test_what_cannot_be_is_refused(kind: Any, values: dict[str, Any], code: str)
     assert refusal.value.code == code and refusal.value.advice
 
 
+def test_a_refusal_names_place_and_measure() -> None:
+    flange = {key: one.usual for key, one in SHAPES["flange"].dimensions.items()}
+    far = flange["outer_diameter_mm"] - flange["hole_diameter_mm"] + 2.0  # 1 mm beyond, each side
+    with pytest.raises(GeometryError, match=rf"the hole at X{far / 2:.2f} Y0.00 would reach 1 mm beyond its outline"):
+        figure_of("flange", {"bolt_circle_mm": far})
+    with pytest.raises(GeometryError, match=r"the holes at X\S+ Y\S+ and X\S+ Y\S+ would overlap by") as refusal:
+        figure_of("flange", {"holes": 40})
+    apart = flange["bolt_circle_mm"] * sin(pi / 40)
+    lens = flange["hole_diameter_mm"] - apart  # its width, along the line between the middles
+    assert refusal.value.sentence.split("overlap by ")[1].startswith(f"{lens:.3g} mm")
+    with pytest.raises(GeometryError, match=r"value 3\.6°, limit 15\.2"):
+        figure_of("locking_wheel", {"notches": 100})
+
+
 def test_random_dimensions_give_a_valid_figure_or_a_refusal() -> None:
     made, refused = 0, 0
     for seed in range(6):
