@@ -173,7 +173,7 @@ class TemplatePanel(PanelButtons):
 
     def save_template(self, path: str) -> None:
         """Write the rules as they are here, and go on with that file."""
-        target = Path(path).with_suffix(SUFFIX)
+        target = Path(path)
         content = with_whole_paths(self.draft.content, self.draft.path.parent)
         write_template(content, target)
         note(tr("{0} was written").format(target))
