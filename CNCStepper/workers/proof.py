@@ -134,17 +134,23 @@ def _warm_up() -> None:
 
     A fault is printed only: the proof that is asked for meets it again and answers with it.
     """
-    from CNCStepper.gcode.interpreter.fast_path.policy import PAYS_WITH_LOADING, pays
-    from CNCStepper.workers.kernel_warm_up import read_all_ways
-
     try:
         with tempfile.TemporaryDirectory(prefix="cncstepper-") as name, contextlib.redirect_stdout(io.StringIO()):
             _write_small_question(Path(name))
             answer(Path(name), "")
-            if pays(PAYS_WITH_LOADING):
-                read_all_ways()
+            _read_by_kernels()
     except Exception:
         traceback.print_exc()
+
+
+def _read_by_kernels() -> None:
+    """Load the kernels that read and write long texts, where there are any."""
+    from CNCStepper.gcode.interpreter.fast_path.policy import PAYS_WITH_LOADING, pays
+
+    if pays(PAYS_WITH_LOADING):
+        from CNCStepper.workers.kernel_warm_up import read_all_ways
+
+        read_all_ways()
 
 
 def _write_small_question(folder: Path) -> None:
