@@ -16,9 +16,10 @@ from CNCStepper.job.turning.turning_job import load_turning_job
 from CNCStepper.job.turning.turning_proof_folder import read_turned_answer
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document.job_files import export_job, open_job
-from CNCStepper.workbench.features.base import edit, problem_of
+from CNCStepper.workbench.features.base import edit, problem_of, values
 from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
 from CNCStepper.workbench.restart import open_restart
+from CNCStepper.workbench.templates.turning_template import TurningBeginning, save
 from CNCStepper.workers.proof import answer
 
 ROOT = Path(__file__).parents[2]
@@ -50,6 +51,76 @@ def test_a_job_file_gives_its_own_programs_and_comes_out_again(document: Any, pa
     assert api.program_text(job) == texts(job)[0]
     export_job(job, tmp_path / "out.toml")
     assert programs_of(tmp_path / "out.toml", job.Label) == texts(job)
+
+
+def begun(document: Any) -> tuple[Any, TurningBeginning]:
+    job = api.new_lathe_job(document)
+    api.add_tool(job)
+    return job, TurningBeginning(job)
+
+
+def state(job: Any) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    found = values(job)
+    kept = {key: found[key] for key in TurningBeginning.KEYS} | {"machine": Path(job.Machine).resolve()}
+    return kept, [values(tool) for tool in job.Tools]
+
+
+@pytest.mark.parametrize("path", JOBS, ids=lambda path: path.stem)
+def test_a_new_job_begins_with_the_template_of_another(document: Any, path: Path, tmp_path: Path) -> None:
+    other, template = opened(document, path), tmp_path / "torno ç.toml"
+    save(other, template)
+    job, beginning = begun(document)
+    usual = state(job)
+    beginning.take(str(template))
+    assert state(job) == state(other) != usual
+    document.recompute()
+    assert not any(map(problem_of, (job, *job.Tools)))
+    beginning.take("")
+    assert state(job) == usual
+    edit(job, stock_length_mm=97)
+    edit(job.Tools[0], nose_radius_mm=0.7)
+    beginning.take(str(template))
+    assert (float(job.Length), float(job.Diameter)) == (97, float(other.Diameter))
+    assert [tool.Number for tool in job.Tools[:1]] == [1] and len(job.Tools) == 1 + len(other.Tools)
+
+
+def test_a_lathe_s_template_names_its_machine_s_file_wherever_the_document_lies(document: Any, tmp_path: Path) -> None:
+    (tmp_path / "a").mkdir()
+    machine = tmp_path / "a" / "own.toml"
+    machine.write_bytes((ROOT / "examples" / "machines" / "mini-lathe-index.toml").read_bytes())
+    document.saveAs(str(tmp_path / "a" / "one.FCStd"))
+    job, _ = begun(document)
+    edit(job, machine="own.toml")
+    save(job, tmp_path / "b" / "torno.toml")
+    document.saveAs(str(tmp_path / "two.FCStd"))
+    other, beginning = begun(document)
+    beginning.take(str(tmp_path / "b" / "torno.toml"))
+    assert Path(other.Machine) == machine
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "why"),
+    [
+        ('machine = "mini-lathe"', 'machine = "wire-table"', "X and Z"),
+        ("[stock]", "[stock", "toml"),
+        ("diameter_mm = 55", "diameter_mm = -55", "diameter_mm"),
+        ("number = 2", "number = 1", "number"),
+        ("length_mm = 130", "length_mm = 130\nthickness_mm = 3", "thickness_mm"),
+    ],
+)
+def test_a_template_that_cannot_be_used_changes_nothing(
+    document: Any, tmp_path: Path, old: str, new: str, why: str
+) -> None:
+    template = tmp_path / "torno.toml"
+    save(opened(document, SHAFT), template)
+    text = template.read_text("utf-8").replace(".0\n", "\n")
+    assert old in text
+    template.write_text(text.replace(old, new), "utf-8")
+    job, beginning = begun(document)
+    before, names = state(job), [each.Name for each in document.Objects]
+    with pytest.raises(JobError, match=why):
+        beginning.take(str(template))
+    assert (state(job), [each.Name for each in document.Objects]) == (before, names)
 
 
 def test_a_saved_lathe_job_opens_with_the_same_program(document: Any, tmp_path: Path) -> None:

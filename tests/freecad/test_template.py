@@ -23,7 +23,7 @@ from CNCStepper.workbench.document.template_jobs import apply_template, new_temp
 from CNCStepper.workbench.features.base import problem_of, proxy_type, values
 from CNCStepper.workbench.templates.around import Around
 from CNCStepper.workbench.templates.draft import texts_of
-from CNCStepper.workbench.templates.job_template import KEYS, Beginning, save
+from CNCStepper.workbench.templates.job_template import KEYS, JobBeginning, save
 
 ROOT = Path(__file__).parents[2]
 DRAWINGS, TEMPLATES = ROOT / "examples" / "drawings", ROOT / "examples" / "templates"
@@ -162,10 +162,10 @@ def plywood_job(document: Any) -> Any:
     return job
 
 
-def begun(document: Any, around: Around = Around()) -> tuple[Any, Beginning]:  # noqa: B008
+def begun(document: Any, around: Around = Around()) -> tuple[Any, JobBeginning]:  # noqa: B008
     job = api.new_job(document)
     api.add_tool(job)
-    return job, Beginning(job, around)
+    return job, JobBeginning(job, around)
 
 
 def state(job: Any) -> tuple[dict[str, Any], list[dict[str, Any]]]:

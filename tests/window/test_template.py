@@ -349,6 +349,56 @@ def test_a_job_is_saved_and_the_next_one_begins_with_it(
     assert [each.Name for each in document.Objects] == ["Plate"]
 
 
+def lathe_job_of(document: Any) -> Any:
+    return next((obj for obj in document.Objects if proxy_type(obj) == "CNCStepper_LatheJob"), None)
+
+
+def shaft_job() -> Any:
+    """Return a lathe's job of a thick bar, with two tools."""
+    document = FreeCAD.newDocument("Shaft")
+    job = api.new_lathe_job(document, stock_diameter_mm=55, stock_length_mm=130, material="pvc", chuck_diameter_mm=125)
+    api.add_tool(job, number=3, insert="CNMG 120408")
+    api.add_tool(job, number=5, kind="parting", width_mm=3, reach_mm=30)
+    document.recompute()
+    return job
+
+
+def test_a_lathe_s_job_is_saved_and_the_next_one_begins_with_it(
+    hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    folder = tmp_path / "cncstepper" / "templates"
+    saved = hand.main(shaft_job)
+    hand.menu("CNCStepper", SAVING["en"])
+    save_as(hand, "eixo")
+    hand.wait((folder / "eixo.toml").exists, 10, "the template's file")
+    (folder / "chapa.toml").write_text("machine = 'table-a'", "utf-8")
+    wanted = hand.main(values, saved)
+    hand.main(FreeCAD.closeDocument, "Shaft")
+    document = hand.main(FreeCAD.newDocument, "Next")
+    document.UndoMode = 1
+    begin(hand, "CNCStepper_NewLatheJob")
+    job = hand.main(lathe_job_of, document)
+    usual = hand.main(values, job)
+    offered = hand.main(entries_of, f"{FIELD}begin_with")
+    assert offered[1:] == ["eixo"]
+    hand.fill(f"{FIELD}stock_length_mm", "97")
+    hand.choose(f"{FIELD}begin_with", "eixo")
+    hand.wait(lambda: len(job.Tools) == 2, 10, "the template's tools")
+    hand.shot("begin-with-lathe")
+    assert hand.main(values, job) == wanted | {"stock_length_mm": 97, "tools": job.Tools}
+    assert [tool.Number for tool in job.Tools] == [3, 5]
+    hand.choose(f"{FIELD}begin_with", offered[0])
+    hand.wait(lambda: len(job.Tools) == 1, 10, "the tool of a new job")
+    assert hand.main(values, job) == usual | {"stock_length_mm": 97, "tools": job.Tools}
+    hand.choose(f"{FIELD}begin_with", "eixo")
+    hand.wait(lambda: len(job.Tools) == 2, 10, "the template's tools")
+    accept(hand)
+    hand.undo()
+    hand.wait(lambda: lathe_job_of(document) is None, 10, "the job to be undone")
+    assert not document.Objects
+
+
 def entries_of(box: str) -> list[str]:
     """Return the texts of a list to choose from."""
     found = places.find(box)

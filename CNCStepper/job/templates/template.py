@@ -37,6 +37,7 @@ from CNCStepper.drawing.trace.options import TraceOptions
 from CNCStepper.errors import JobError, Place, Text, placed
 from CNCStepper.job.shapes import SHAPE_KEYS
 from CNCStepper.machine.files.toml_reader import read_toml
+from CNCStepper.machine.processes import is_turning
 from CNCStepper.machine.profile import validated
 from CNCStepper.quantities import Bounds, Depth, DepthOr0, Length, LengthOr0, Unit
 
@@ -157,6 +158,9 @@ def read_template(path: Path) -> Template:
 
 def template_of(content: dict[str, Any], path: Path) -> Template:
     """Return the template of a file's content; raises JobError that names the key and its value."""
+    if is_turning(content):
+        what, advice = "this is the template of a lathe, which takes no drawings", "begin a new lathe job with it"
+        raise JobError("process-turning", what, advice=advice)
     for key in NOT_IN_TEMPLATES:
         if key in content:
             what, advice = Text("a template has no key '{key}'", key=key), "write rules: [[rule]]"

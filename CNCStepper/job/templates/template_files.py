@@ -64,6 +64,11 @@ def _whole(key: str, value: Any, folder: Path) -> Any:
 def write_template(content: Mapping[str, Any], path: Path) -> None:
     """Write a template into a file, its folder too; raises JobError for what is none, or cannot be written."""
     template_of(dict(content), path)
+    write_checked(content, path)
+
+
+def write_checked(content: Mapping[str, Any], path: Path) -> None:
+    """Write the content of a template that is known to be one; raises JobError where it cannot be written."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         write_whole(path, content_text(content, f"a template, {MADE_BY}").encode("utf-8"))

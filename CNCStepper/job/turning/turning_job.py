@@ -28,7 +28,7 @@ from __future__ import annotations
 
 from functools import cached_property
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, PrivateAttr, StrictBool, model_validator
 
@@ -90,8 +90,8 @@ class Tailstock(_Checked):
     hole_mm: WidthOr0 = 0.0
 
 
-class TurningJob(_Checked):
-    """A whole job of a lathe; `folder` is where its files are looked for."""
+class TurningSetup(_Checked):
+    """What a job of a lathe has before its operations: machine, bar, chuck and tools."""
 
     units: Literal["mm", "inch"] = "mm"
     machine: str
@@ -108,25 +108,10 @@ class TurningJob(_Checked):
     chuck: Chuck = Chuck()
     tailstock: Tailstock | None = None
     tool: tuple[TurningTool, ...] = Field(min_length=1, max_length=MOST_ITEMS["tools"])
-    profile: tuple[ProfileForm, ...] = Field(default=(), max_length=MOST_ITEMS["shapes"])
-    operation: tuple[Any, ...] = Field(min_length=1, max_length=MOST_ITEMS["operations"])
-    _folder: Path = PrivateAttr(default=Path())
 
     @model_validator(mode="after")
-    def _parts_fit_together(self) -> TurningJob:
+    def _setup_fits_together(self) -> Self:
         _require_different([tool.number for tool in self.tool], "number", "tools")
-        _require_different([profile.name for profile in self.profile], "name", "profiles")
-        names = [profile.name for profile in self.profile]
-        for number, operation in enumerate(self.operation, start=1):
-            if operation.tool not in self.tools:
-                what = "operation {number} uses tool {tool}, which the job does not have: it has {tools}"
-                known = ", ".join(map(str, self.tools))
-                raise ValueError(Text(what, number=number, tool=operation.tool, tools=known))
-            profile = getattr(operation, "profile", "")
-            if profile not in names and (profile or operation.cycle in ALONG_PROFILES):
-                what = "operation {number} turns the profile '{profile}', which the job does not have: it has {names}"
-                known = ", ".join(names) or "none"
-                raise ValueError(Text(what, number=number, profile=profile, names=known))
         self._check_chuck_and_start()
         if self.material and self.material not in (materials := turned_materials()):
             what = "no material of turning is called '{name}': it may be {names}"
@@ -163,6 +148,30 @@ class TurningJob(_Checked):
         x, z = self.start
         return z, x / 2 if self.x_is == "diameter" else x
 
+
+class TurningJob(TurningSetup):
+    """A whole job of a lathe; `_folder` is where its files are looked for."""
+
+    profile: tuple[ProfileForm, ...] = Field(default=(), max_length=MOST_ITEMS["shapes"])
+    operation: tuple[Any, ...] = Field(min_length=1, max_length=MOST_ITEMS["operations"])
+    _folder: Path = PrivateAttr(default=Path())
+
+    @model_validator(mode="after")
+    def _operations_have_what_they_need(self) -> Self:
+        _require_different([profile.name for profile in self.profile], "name", "profiles")
+        names = [profile.name for profile in self.profile]
+        for number, operation in enumerate(self.operation, start=1):
+            if operation.tool not in self.tools:
+                what = "operation {number} uses tool {tool}, which the job does not have: it has {tools}"
+                known = ", ".join(map(str, self.tools))
+                raise ValueError(Text(what, number=number, tool=operation.tool, tools=known))
+            profile = getattr(operation, "profile", "")
+            if profile not in names and (profile or operation.cycle in ALONG_PROFILES):
+                what = "operation {number} turns the profile '{profile}', which the job does not have: it has {names}"
+                known = ", ".join(names) or "none"
+                raise ValueError(Text(what, number=number, profile=profile, names=known))
+        return self
+
     @cached_property
     def curves(self) -> dict[str, Curve]:
         """The profiles by name, in (z, r)."""
@@ -176,11 +185,15 @@ def load_turning_job(path: Path) -> tuple[TurningJob, Machine]:
     """
     with placed(Place(str(path))):
         job = turning_job_of(read_toml(path), path)
-        machine = load_machine(machine_path(job.machine, path.parent))
-        if "x" not in machine.own_axes or "z" not in machine.own_axes:
-            what = "the machine has no axes X and Z"
-            raise JobError("machine-axes", what, value=machine.name, advice="name a profile with both")
-        return job, machine
+        return job, require_lathe(load_machine(machine_path(job.machine, path.parent)))
+
+
+def require_lathe(machine: Machine) -> Machine:
+    """Return the machine; raises JobError for one without X and Z."""
+    if "x" not in machine.own_axes or "z" not in machine.own_axes:
+        what = "the machine has no axes X and Z"
+        raise JobError("machine-axes", what, value=machine.name, advice="name a profile with both")
+    return machine
 
 
 def turning_job_of(content: dict[str, Any], path: Path) -> TurningJob:

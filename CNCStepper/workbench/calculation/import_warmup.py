@@ -59,6 +59,7 @@ WINDOW_MODULES = (  # an import of `api` or of the panels is long as a whole: it
     "CNCStepper.workbench.panels.form",
     "CNCStepper.workbench.panels.object_form",
     "CNCStepper.workbench.templates.job_template",
+    "CNCStepper.workbench.templates.turning_template",
     "CNCStepper.workbench.panels.catalogue",
 )
 

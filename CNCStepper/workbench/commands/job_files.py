@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
@@ -79,8 +78,7 @@ class SaveJobTemplate(Command):
 
     def why_not(self) -> str:
         """Return why there is no job that can be saved so."""
-        no_job = missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
-        return no_job or targets.why_not_by_process(tuple(PROCESSES))
+        return missing_packages.why_not() or targets.why_no_panel() or targets.why_no_job()
 
     def run(self) -> None:
         """Ask for the name, and save the template."""

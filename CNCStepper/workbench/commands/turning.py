@@ -42,6 +42,7 @@ def _job(document: Any) -> Any:
     from CNCStepper.workbench.viewproviders.job import previews
 
     job = labelled(api.new_lathe_job(document), tr("Lathe job"))
+    job.Proxy.is_new = True
     labelled(api.add_tool(job), tr("Tool"))
     for preview in previews(job):
         labelled(preview, tr("Preview"))

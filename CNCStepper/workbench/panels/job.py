@@ -27,10 +27,9 @@ from CNCStepper.workbench.panels.program_job_panel import ProgramJobPanel
 from CNCStepper.workbench.panels.tools.tip_angle_field import TipAngleField
 from CNCStepper.workbench.panels.tools.tool_field import ShapeField
 from CNCStepper.workbench.services.choice_labels import words_of
-from CNCStepper.workbench.services.messages import guarded, note
+from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr
-from CNCStepper.workbench.templates.begin_with import BeginWith
-from CNCStepper.workbench.templates.job_template import Beginning
+from CNCStepper.workbench.templates.job_template import JobBeginning, choices
 
 FOLDED = (PROGRAM, HEIGHTS)
 HIDDEN = ("operations", "tools", "clamps")
@@ -78,9 +77,7 @@ class JobPanel(ProgramJobPanel):
         super().__init__(job, KINDS, FOLDED, HIDDEN)
         around, job.Proxy.made_round = job.Proxy.made_round, None
         if around is not None:
-            self.beginning = Beginning(job, around)
-            self.beginnings = BeginWith(self.begin, self.editor)
-            self.editor.layout().insertWidget(0, self.beginnings)
+            self.offer_beginnings(JobBeginning(job, around), choices())
 
     def add_own_parts(self) -> None:
         """Add the button that fits the stock, the chart's note and the sheet of the axes."""
@@ -113,32 +110,9 @@ class JobPanel(ProgramJobPanel):
             self.drop_tool()
             self.show_tool()
 
-    def begin(self, path: str) -> bool:
-        """Let a new job begin with a template, or with what is preferred (""); return whether it does.
-
-        Raises CNCStepperError for a template that cannot be used, and then changes nothing.
-        """
-        good = [editor.flush() for editor in self.editors]
-        if not all(good):
-            self._begin_later(path)
-            return False
-        self.tools.list.setCurrentRow(-1)  # a tool that goes has no editor
-        try:
-            self.beginning.take(path)
-        finally:
-            self.material, self.process = self.job.Material, self.job.Process  # the tools have come with them
-            self.tools.refresh()
-            self.tools.choose(next(iter(self.job.Tools), None))
-            self.remake()
-        return True
-
-    def _begin_later(self, path: str) -> None:
-        """Begin when what was typed last is applied; where it cannot be, say so."""
-        waiting = [editor for editor in self.editors if editor.waiting]
-        if waiting:
-            waiting[0].then = lambda: self.beginnings.begin(self.beginnings.choice.findData(path))
-        else:
-            note(tr("Correct the marked values first"))
+    def has_begun(self) -> None:
+        """Note the material and process for which the tools have come."""
+        self.material, self.process = self.job.Material, self.job.Process
 
     def give_feeds(self) -> None:
         """Let the material's feeds count for all tools whose own nobody has typed."""

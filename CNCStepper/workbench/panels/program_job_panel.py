@@ -3,14 +3,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from CNCStepper.workbench.panels.fields import Field
 from CNCStepper.workbench.panels.job_lists import ObjectList, OperationList, ToolList
 from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.panels.task_panel import Panel
-from CNCStepper.workbench.services.messages import guarded
-from CNCStepper.workbench.services.translation import later
+from CNCStepper.workbench.services.messages import guarded, note
+from CNCStepper.workbench.services.translation import later, tr
+from CNCStepper.workbench.templates.begin_with import BeginWith
+from CNCStepper.workbench.templates.beginning import Beginning
 
 OPERATIONS, TOOLS = later("Operations"), later("Tools")
 
@@ -41,6 +44,42 @@ class ProgramJobPanel(Panel):
     def own_lists(self) -> tuple[ObjectList, ...]:
         """Return the lists that only this kind of job has."""
         return ()
+
+    def offer_beginnings(self, beginning: Beginning, choices: Sequence[tuple[str, str]]) -> None:
+        """Put on top what a new job can begin with: what is preferred, or a template (paths and words)."""
+        self.beginning = beginning
+        self.beginnings = BeginWith(choices, self.begin, self.editor)
+        self.editor.layout().insertWidget(0, self.beginnings)
+
+    def begin(self, path: str) -> bool:
+        """Let a new job begin with a template, or with what is preferred (""); return whether it does.
+
+        Raises CNCStepperError for a template that cannot be used, and then changes nothing.
+        """
+        good = [editor.flush() for editor in self.editors]
+        if not all(good):
+            self._begin_later(path)
+            return False
+        self.tools.list.setCurrentRow(-1)  # a tool that goes has no editor
+        try:
+            self.beginning.take(path)
+        finally:
+            self.has_begun()
+            self.tools.refresh()
+            self.tools.choose(next(iter(self.job.Tools), None))
+            self.remake()
+        return True
+
+    def has_begun(self) -> None:
+        """Note what only this kind of job has, after a beginning."""
+
+    def _begin_later(self, path: str) -> None:
+        """Begin when what was typed last is applied; where it cannot be, say so."""
+        waiting = [editor for editor in self.editors if editor.waiting]
+        if waiting:
+            waiting[0].then = lambda: self.beginnings.begin(self.beginnings.choice.findData(path))
+        else:
+            note(tr("Correct the marked values first"))
 
     def tool_form(self, tool: Any) -> Editor:
         """Return the editor of a tool."""

@@ -26,6 +26,7 @@ from CNCStepper.workbench.panels.tools.tool_field import ToolField
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.icons import picture_painter
 from CNCStepper.workbench.services.translation import later, tr
+from CNCStepper.workbench.templates.turning_template import TurningBeginning, choices
 
 PICTURES = packages.ROOT / "resources" / "pictures" / "turning"
 LEAST_PX, MOST_PX = (100, 50), 360
@@ -81,6 +82,9 @@ class LatheJobPanel(ProgramJobPanel):
     def __init__(self, job: Any):
         kinds = {"machine": LatheMachineField, "dialect": DialectField, "material": TurnedMaterialField}
         super().__init__(job, kinds, FOLDED, HIDDEN)
+        is_new, job.Proxy.is_new = job.Proxy.is_new, False
+        if is_new:
+            self.offer_beginnings(TurningBeginning(job), choices())
 
     def tool_form(self, tool: Any) -> Editor:
         """Return the editor of a tool."""

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from PySide import QtGui
@@ -14,7 +14,6 @@ from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, note_label
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
-from CNCStepper.workbench.templates.job_template import choices
 
 PREFERRED = ""  # the choice of what is preferred
 
@@ -22,14 +21,15 @@ PREFERRED = ""  # the choice of what is preferred
 class BeginWith(QtGui.QWidget):
     """The list of beginnings, and below it why one cannot be; `begin` is called with a template's path or PREFERRED.
 
-    It returns whether it has begun; where it has not, and where it raises a CNCStepperError, the choice goes back.
+    choices: the templates, their paths and words. `begin` returns whether it has begun; where it has not, and where it
+    raises a CNCStepperError, the choice goes back.
     """
 
-    def __init__(self, begin: Callable[[str], bool], parent: Any):
+    def __init__(self, choices: Sequence[tuple[str, str]], begin: Callable[[str], bool], parent: Any):
         super().__init__(parent)
         self._begin, self._begun = begin, 0
         f1_key.set_page(self, "freecad.md")
-        self.choice = _list_of_beginnings(self)
+        self.choice = _list_of_beginnings(choices, self)
         self.choice.activated.connect(guarded(lambda *_: self.begin(self.choice.currentIndex())))
         self.problem = note_label(f"{NAME}_begin_with_problem", ERROR_COLOUR, self)
         label = QtGui.QLabel(tr("Begin with"), self)
@@ -55,7 +55,7 @@ class BeginWith(QtGui.QWidget):
         self.problem.setVisible(bool(why))
 
 
-def _list_of_beginnings(parent: Any) -> Any:
+def _list_of_beginnings(choices: Sequence[tuple[str, str]], parent: Any) -> Any:
     """Return the list, which is no wider than the panel."""
     found = QtGui.QComboBox(parent)
     found.setObjectName(f"{NAME}_begin_with")
@@ -63,6 +63,6 @@ def _list_of_beginnings(parent: Any) -> Any:
     found.setToolTip(tr("A template gives machine, material, stock and tools; what you have typed stays"))
     found.setMinimumContentsLength(1)
     found.setSizeAdjustPolicy(QtGui.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-    for path, words in ((PREFERRED, tr("what is preferred")), *choices()):
+    for path, words in ((PREFERRED, tr("what is preferred")), *choices):
         found.addItem(words, path)
     return found

@@ -8,11 +8,12 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.job.templates.template_files import LONGEST, named_template
+from CNCStepper.workbench.features.base import LATHE_JOB, proxy_type
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.messages import guarded, note
 from CNCStepper.workbench.services.standard_buttons import name_standard_buttons
 from CNCStepper.workbench.services.translation import tr
-from CNCStepper.workbench.templates.job_template import save
+from CNCStepper.workbench.templates import job_template, turning_template
 
 NAME = "CNCStepper_JobTemplate"
 
@@ -45,5 +46,6 @@ def _save(document: str, job: str, name: str) -> None:
     more = tr("All of it is replaced, its rules and tools too.")
     if path.exists() and not messages.ask(question, tr("Replace"), tr("Cancel"), more):
         return
-    save(FreeCAD.getDocument(document).getObject(job), path)
+    saved = FreeCAD.getDocument(document).getObject(job)
+    (turning_template if proxy_type(saved) == LATHE_JOB else job_template).save(saved, path)
     note(tr("{0} was written").format(path))

@@ -95,12 +95,12 @@ class ProgramJob(ViewProvider):
         return all(other in family for other in child.InList if proxy_type(other))
 
     def entries(self) -> list[Entry]:
-        """Return the entries of every object, and what takes the program further."""
+        """Return the entries of every object, what takes the program further, and what saves the job's set-up."""
+        from CNCStepper.workbench.commands.job_files import SaveJobTemplate
         from CNCStepper.workbench.commands.program import EditProgram, Send, Simulate
 
-        commands = (Simulate(), Send(), EditProgram())
-        further = [Entry(each.text(), each.name, each.run, each.why_not()) for each in commands]
-        return [*super().entries(), *further, self.saving()]
+        further = [entry_of(each) for each in (Simulate(), Send(), EditProgram())]
+        return [*super().entries(), *further, self.saving(), entry_of(SaveJobTemplate())]
 
     def saving(self) -> Entry:
         """Return the entry that saves the program."""
@@ -124,13 +124,6 @@ class Job(ProgramJob):
         """Return what draws stock and clamps."""
         return StockAndClamps()
 
-    def entries(self) -> list[Entry]:
-        """Return the entries of every job, and what saves its set-up."""
-        from CNCStepper.workbench.commands.job_files import SaveJobTemplate
-
-        template = SaveJobTemplate()
-        return [*super().entries(), Entry(template.text(), template.name, template.run, template.why_not())]
-
 
 class LatheJob(ProgramJob):
     """The view of a lathe's job: the half section of bar, chuck and tailstock in the XZ plane, and their circles."""
@@ -140,6 +133,11 @@ class LatheJob(ProgramJob):
     def new_figure(self) -> TurnedStock:
         """Return what draws bar, chuck and tailstock."""
         return TurnedStock()
+
+
+def entry_of(command: Any) -> Entry:
+    """Return the entry of a context menu that does what a command does."""
+    return Entry(command.text(), command.name, command.run, command.why_not())
 
 
 def previews(job: Any) -> list[Any]:

@@ -7,9 +7,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import JobError
 from CNCStepper.job.turning import turning_transfer
-from CNCStepper.job.turning.turning_job import Chuck, Tailstock, TurnedStock, TurningJob
+from CNCStepper.job.turning.turning_job import Chuck, Tailstock, TurnedStock, TurningJob, TurningSetup, require_lathe
 from CNCStepper.machine.profile import Machine, validated
 from CNCStepper.toolpath import Toolpath
 from CNCStepper.workbench.calculation import result_cache
@@ -27,11 +26,7 @@ MADE_BY_DRILLING = "turn_drill"
 
 def lathe_of(obj: Any) -> Machine:
     """Return the machine of a lathe's job object; raises JobError for one without X and Z."""
-    machine = machine_of(obj)
-    if "x" not in machine.own_axes or "z" not in machine.own_axes:
-        what = "the machine has no axes X and Z"
-        raise JobError("machine-axes", what, value=machine.name, advice="name a profile with both")
-    return machine
+    return require_lathe(machine_of(obj))
 
 
 def check_setup(obj: Any) -> None:
@@ -42,6 +37,12 @@ def check_setup(obj: Any) -> None:
     validated(Chuck, content["chuck"], obj.Label)
     if content["tailstock"]:
         validated(Tailstock, content["tailstock"], obj.Label)
+
+
+def turning_setup_of(obj: Any) -> TurningSetup:
+    """Return what a lathe's job object has before its operations, with all its tools; raises JobError for a bad one."""
+    content = obj.Proxy.given(values(obj)) | {"tool": tuple(map(model_of, obj.Tools))}
+    return validated(TurningSetup, content, obj.Label)
 
 
 def turning_job_of(obj: Any, operations: Sequence[Any] | None = None) -> TurningJob:

@@ -15,7 +15,7 @@ from CNCStepper.workbench.features.turning.turning_tool import keys_of
 
 if TYPE_CHECKING:
     from CNCStepper.job.turning.profile_form import ProfileForm
-    from CNCStepper.job.turning.turning_job import TurningJob
+    from CNCStepper.job.turning.turning_job import TurningJob, TurningSetup
 
 TABLES = ("stock", "chuck", "tailstock")
 
@@ -23,13 +23,18 @@ TABLES = ("stock", "chuck", "tailstock")
 def export_turning_job(obj: Any, path: Path) -> None:
     """Write a lathe's job object as a job file; a machine's file is named by its whole path. Raises JobError."""
     from CNCStepper.job.turning.turning_job_text import save_turning_job
-    from CNCStepper.machine.profile import profile_names
     from CNCStepper.workbench.document.turning.core_turning_job import turning_job_of
 
-    job = turning_job_of(obj)
+    save_turning_job(with_whole_machine(turning_job_of(obj), obj), path)
+
+
+def with_whole_machine(job: Any, obj: Any) -> Any:
+    """Return a core's job, or its set-up, of a job object with the file of its machine by its whole path."""
+    from CNCStepper.machine.profile import profile_names
+
     named = job.machine in profile_names() or Path(job.machine).is_absolute() or not obj.Document.FileName
     machine = job.machine if named else str(Path(obj.Document.FileName).parent / job.machine)
-    save_turning_job(job.model_copy(update={"machine": machine}), path)
+    return job.model_copy(update={"machine": machine})
 
 
 def open_turning_job(document: Any, path: Path) -> tuple[Any, list[str]]:
@@ -52,7 +57,7 @@ def open_turning_job(document: Any, path: Path) -> tuple[Any, list[str]]:
 def _opened(document: Any, job: TurningJob, machine: str, label: str) -> Any:
     from CNCStepper.workbench import api
 
-    obj = api.new_lathe_job(document, **_keys(job, machine))
+    obj = api.new_lathe_job(document, **setup_values(job, machine))
     obj.Label = label
     tools = {tool.number: api.add_tool(obj, **keys_of(tool)) for tool in job.tool}
     profiles = {form.name: _profile(document, form, job) for form in job.profile}
@@ -63,13 +68,15 @@ def _opened(document: Any, job: TurningJob, machine: str, label: str) -> Any:
     return obj
 
 
-def _keys(job: TurningJob, machine: str) -> dict[str, Any]:
-    """Return the values of a job object by its keys: those of a table with its name before them."""
+def setup_values(job: TurningSetup, machine: str) -> dict[str, Any]:
+    """Return the values of a job object by its keys, those of a table with its name before them; no bore of a bar."""
     content = job.model_dump(exclude={"tool", "profile", "operation", "start", *TABLES})
     content["machine"] = machine
     for name in TABLES:
         table = getattr(job, name)
         content |= {f"{name}_{key}": value for key, value in (table.model_dump() if table else {}).items()}
+    if job.stock.form == "bar":
+        del content["stock_bore_mm"]
     content["tailstock_by"] = "given" if job.tailstock else "none"
     if job.start is not None:
         content |= {"start_by": "given", "start_x_mm": job.start[0], "start_z_mm": job.start[1]}
