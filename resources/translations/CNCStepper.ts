@@ -18997,6 +18997,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>begin a new lathe job with it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>begin beside the sheet and enter at its edge</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28294,6 +28298,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>this is the job of a lathe, not of a table</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is the template of a lathe, which takes no drawings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -19021,6 +19021,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>antes de iniciá-lo, defina o zero de Z com a ferramenta dele</translation>
         </message>
         <message>
+            <source>begin a new lathe job with it</source>
+            <translation>inicie um novo trabalho de torno com ele</translation>
+        </message>
+        <message>
             <source>begin beside the sheet and enter at its edge</source>
             <translation>comece ao lado da chapa e entre pela borda</translation>
         </message>
@@ -28319,6 +28323,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>this is the job of a lathe, not of a table</source>
             <translation>este é o trabalho de um torno, não de uma mesa</translation>
+        </message>
+        <message>
+            <source>this is the template of a lathe, which takes no drawings</source>
+            <translation>este é o modelo de um torno, que não usa desenhos</translation>
         </message>
         <message>
             <source>this is {kind}, not a file</source>
