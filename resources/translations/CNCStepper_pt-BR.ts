@@ -16300,6 +16300,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{name} {filename!r} não pode ser escrito.</translation>
         </message>
         <message>
+            <source>{name}: off</source>
+            <translation>{name}: desligado</translation>
+        </message>
+        <message>
             <source>{name}: switched off</source>
             <translation>{name}: desligado</translation>
         </message>
