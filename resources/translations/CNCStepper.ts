@@ -16498,6 +16498,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
     <context>
         <name>CNCStepper core</name>
         <message>
+            <source> above {least:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source> below {most:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source> of at least {least:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source> of at most {most:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>! is a command to the controller (feed hold), not part of a program</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16719,6 +16735,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>/ (block delete) may stand only at the beginning of a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0 or 1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17114,7 +17134,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>FluidNC follows the exact path always: leave the word out or write G61</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC has G54 to G59</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC has no canned cycles: write the holes as plain moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FluidNC keeps its settings in its configuration file, not by $ numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC moves X, Y and Z only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18138,6 +18174,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a list has no entry {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18203,6 +18243,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a move would end outside the travel (soft limit)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18562,6 +18606,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a text is too long</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18655,6 +18703,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a turret in front of the axis takes the same program; to move the path use offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a value</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19163,10 +19215,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>at least {z_mm:g} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>at most</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21374,6 +21422,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>in {table} </source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>incremental coordinates became absolute</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21439,6 +21491,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>inverted step pins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is no key that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is not written as it must be</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22762,7 +22826,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be a finite number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22774,11 +22846,55 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be above {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be at least {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be at most {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be below {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be true or false</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be {choices}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at least {least} characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at least {least} values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at most {most} characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at most {most} values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30834,6 +30950,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{low:.10g} to {high:.10g}{unit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{machine} accepts no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -31114,6 +31234,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{number} from {words}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{obj} follows one drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -31142,11 +31266,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{one} and {other}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{one} and {other} cut into each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{one} or {other}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -31179,6 +31311,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{part} of {whole}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -31423,6 +31559,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{width} by {height}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{words}, or 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

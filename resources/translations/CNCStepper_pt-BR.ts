@@ -16300,10 +16300,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{name} {filename!r} não pode ser escrito.</translation>
         </message>
         <message>
-            <source>{name}: off</source>
-            <translation>{name}: desligado</translation>
-        </message>
-        <message>
             <source>{name}: switched off</source>
             <translation>{name}: desligado</translation>
         </message>
@@ -19257,10 +19253,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>at least {z_mm:g} mm</source>
             <translation>ao menos {z_mm:g} mm</translation>
-        </message>
-        <message>
-            <source>at most</source>
-            <translation>no máximo</translation>
         </message>
         <message>
             <source>at most {0} deg</source>
