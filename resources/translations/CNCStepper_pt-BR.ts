@@ -11267,6 +11267,10 @@ altura</translation>
             <translation>O que fazer</translation>
         </message>
         <message>
+            <source>What to do when …</source>
+            <translation>O que fazer quando …</translation>
+        </message>
+        <message>
             <source>What was found in it</source>
             <translation>O que foi achado nele</translation>
         </message>
