@@ -29,6 +29,11 @@ OPEN_LIMIT_MS = 800
 EVENT_LIMIT_MS = 50
 
 
+def slower() -> float:
+    """Return how much slower than usual this computer was at FreeCAD's start, at least 1."""
+    return max(1.0, 1e3 * FreeCAD.__cncstepper_others__ / USUAL_OTHERS_MS)
+
+
 def test_freecad_starts_less_than_30_ms_later(hand: Hand) -> None:
     init, init_gui = FreeCAD.__cncstepper_init__, FreeCAD.__cncstepper_init_gui__
     passed_ms, used_ms = (1e3 * (init[n] + init_gui[n]) for n in (0, 1))
@@ -37,7 +42,7 @@ def test_freecad_starts_less_than_30_ms_later(hand: Hand) -> None:
         f"Init.py and InitGui.py take {passed_ms:.1f} ms, {used_ms:.1f} ms of processor time; "
         f"ten modules of Python's own {others_ms:.1f} ms"
     )
-    assert used_ms < START_LIMIT_MS * max(1.0, others_ms / USUAL_OTHERS_MS)
+    assert used_ms < START_LIMIT_MS * slower()
 
 
 def test_the_workbench_opens_in_less_than_800_ms(hand: Hand) -> None:
@@ -54,7 +59,7 @@ def test_the_workbench_opens_in_less_than_800_ms(hand: Hand) -> None:
     print(f"the workbench opens in {passed_ms:.0f} ms, {used_ms:.0f} ms of its thread")
     assert hand.main(lambda: set(NAMES) <= set(sys.modules)), "FreeCAD's own modules come with the workbench"
     hand.wait(hand.workbench_is_open)
-    assert used_ms < OPEN_LIMIT_MS
+    assert used_ms < OPEN_LIMIT_MS * slower()
 
 
 def test_what_the_first_panel_needs_is_loaded_in_short_events(hand: Hand) -> None:
