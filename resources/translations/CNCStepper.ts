@@ -13324,6 +13324,11 @@ the height</source>
     <context>
         <name>CNCStepper cli</name>
         <message>
+            <source>
+The job has ended. Press Enter to see how</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>   not placed: {count} of {name}: {why}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13390,6 +13395,14 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{text}' is no answer: {help}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{text}' is no jog: at most {most_mm:g} mm, with a feed above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{text}' is no override: write for example feed +10, or flood</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13435,6 +13448,18 @@ the height</source>
         </message>
         <message>
             <source>(Did you mean one of: {possibilities}?)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>, in the language that is sent: --dialect {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>, z-0.1 jogs{touches} ({place})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>, zero z touches off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13555,6 +13580,28 @@ the height</source>
         </message>
         <message>
             <source>... {lines} more lines; --diff shows all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>1 line changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>; `cncstepper back` goes back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>?                      where the machine stands
+!  ~                   hold; go on
+feed +10  rapid 50     overrides in %: also spindle -10, feed 100; flood, mist switch the coolant
+stop                   bring it to rest: hold, standstill, reset; spindle and outputs off
+home  unlock           $H and $X
+zero [XYZ]             make this place the work zero
+jog X10 Y-2.5 [F1000]  move by that way in mm
+$$ $# $G $I $N         settings, offsets, modes, what it is, start-up lines
+$110=500               change a setting
+G0 X10, M3 S1000 ...   any line that the controller knows, while its position is not unknown
+history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14215,6 +14262,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Is the work zero set on the stock, and the way free?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>It also works while `cncstepper send` holds its job at that port. The controller is then reset at standstill, which stops the spindle. `cncstepper back --resume` goes on: up, across and slowly down to the cut, and along it. At a pause, or during a tool change (M6 of grblHAL), nothing is reset, and the tool returns before the job resumes.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14448,6 +14499,14 @@ the height</source>
         </message>
         <message>
             <source>May be missing where the target lacks it; otherwise such a program is refused.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Meanwhile the job has gone on ({phase}). Press Enter to see it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Meanwhile: {why}. Press Enter to be asked about that</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15055,6 +15114,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>That was not done: it answered to a stand that is over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The axes move to their switches: make sure that the path is free. Ctrl-C stops them; the position is unknown then. Many boards restart when their port is opened anew and forget what they have found: the connection stays open for the verbs that follow, --keep-open minutes long or until `cncstepper disconnect`.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15143,6 +15206,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The machine holds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The machine's profile, by name or TOML file; needed where this computer itself is the controller.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15168,6 +15235,10 @@ the height</source>
         </message>
         <message>
             <source>The profile that has all other values.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program pauses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15475,6 +15546,18 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X is a diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X is a diameter in some lines and a radius in others; findings give radii</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X is a radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>X times this.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15503,11 +15586,19 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a controller in the state {state}, which is not disturbed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a file that {what} names</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program without F takes {feed:g} mm/min ({whose})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15523,11 +15614,25 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>an animation needs --view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at most {notes} parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>b MM    back along the cut by MM millimetres      f [MM]  forward again, as far as it was cut at most
+l LINE  back to where LINE of the program begins  r       resume: spindle on, cut from here to the end
+e       back to the last entry into the work      s       stop the job        q  leave, the machine stands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15594,6 +15699,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>density {density:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>directory</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15603,6 +15712,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>from line {line} of the program, which is not a file here any more: {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15678,6 +15791,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it restarted when its port was opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>judging the part of</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15687,6 +15804,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>looking at {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower left to upper right in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower right to upper left in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>machine {position}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15706,6 +15835,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>mark the lower left corner, then press a key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mark the lower right corner, then press a key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mark the upper left corner, then press a key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mark the upper right corner, then press a key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>mm of an STL's unit.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15719,6 +15864,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no connection is open</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no connection to {port} is open</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15742,7 +15895,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>none is needed: from there on the program cuts nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>none: {file} was changed since, so its lines are not those of the journal; bring the old text back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>note: {note}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing is cut before line {line}, so the program is sent from its beginning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15763,6 +15932,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pause: {message}; going on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>position unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press Enter alone to go on or s to stop; x10 y-5 z0.1 jogs (f100: that fast), zero z touches off; overrides: {overrides}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15806,7 +15987,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>reports in inches ($13=1)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>required</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>shipped</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15818,6 +16007,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>start one with cncstepper send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>stepping {name}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15826,11 +16019,27 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>that was not done: the job has gone on meanwhile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the angle between X and Y is {angle_deg:.4f}°: {deviation_deg:+.4f}°, {skew_mm_m:.3f} mm over a metre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the chart has no row of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection to {port} stays open for {keep_min:g} min; `cncstepper disconnect` closes it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not tell its overrides</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the desk has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15858,11 +16067,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe's program has no entry in its middle: switch the lathe off and on, set its zero by hand, then send the program from its beginning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine is not homed: {state}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine, which the job was sent without</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile does not say what drives {axis}: add [axis.{axis}.drive] to it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile of {machine}: put its file in place of {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15871,6 +16092,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the program pauses: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the stock and its tool, so nobody sees whether a rapid meets material: give --stock and --tool, or --job, in place of {option}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no override '{words}'; there are: {known}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15910,7 +16139,27 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write these {count} settings to {port}?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {key}={value:g} into {profile}?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {setting} to the controller too? its position is unknown afterwards</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>writing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>yours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>yours, instead of the shipped one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15942,7 +16191,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{changes} lines changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{copied_from} ships with the program and stays as it is; your copy takes its place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} bytes of receive buffer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15974,6 +16231,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is not as it was, or not there: {copy} is what the job was sent with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is not there any more: the restart is made with it, bring it back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} was changed since: see that it still says what was cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} {filename!r} does not exist.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15994,11 +16263,27 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{name}: off</source>
+            <source>{name}: switched off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name}: switched on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{name}: tool {tool}, {lines} lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{number} of {repeats}: measured length in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{number} of {repeats}: set the scale to zero, then press a key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{number} of {repeats}: the dial, come from {side}, in mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16114,6 +16399,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{read}: not written; add --out FILE or --in-place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{rows} of {all_rows} settings differ</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16131,6 +16420,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{status}   ~ goes on, stop ends it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{target}: written</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16185,9 +16478,41 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <source>{what}, which is read</source>
             <translation type="unfinished"></translation>
         </message>
+        <message>
+            <source>{why} (Enter ends the console)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}. Enter goes on, s stops{jogs}, ? says more{back}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}. Its start button goes on, Ctrl-C asks here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}. Nobody can answer here, so the machine waits. In any terminal `{go}` goes on, `cncstepper back` goes back, `cncstepper stop` stops; so does Ctrl-C here</source>
+            <translation type="unfinished"></translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper core</name>
+        <message>
+            <source> above {least:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source> below {most:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source> of at least {least:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source> of at most {most:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
         <message>
             <source>! is a command to the controller (feed hold), not part of a program</source>
             <translation type="unfinished"></translation>
@@ -16410,6 +16735,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>/ (block delete) may stand only at the beginning of a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0 or 1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16805,7 +17134,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>FluidNC follows the exact path always: leave the word out or write G61</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC has G54 to G59</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC has no canned cycles: write the holes as plain moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FluidNC keeps its settings in its configuration file, not by $ numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC moves X, Y and Z only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17829,6 +18174,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a list has no entry {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17894,6 +18243,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a move would end outside the travel (soft limit)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18253,6 +18606,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a text is too long</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18346,6 +18703,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a turret in front of the axis takes the same program; to move the path use offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a value</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18857,10 +19218,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>at most</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>at most {0} deg</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18994,6 +19351,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>before it starts set the Z zero with its tool</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>begin a new lathe job with it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21061,6 +21422,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>in {table} </source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>incremental coordinates became absolute</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21126,6 +21491,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>inverted step pins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is no key that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is not written as it must be</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22449,7 +22826,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be a finite number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22461,11 +22846,55 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be above {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be at least {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be at most {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be below {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be true or false</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be {choices}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at least {least} characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at least {least} values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at most {most} characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at most {most} values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28297,6 +28726,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is the template of a lathe, which takes no drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is {kind}, not a file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30517,6 +30950,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{low:.10g} to {high:.10g}{unit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{machine} accepts no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30797,6 +31234,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{number} from {words}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{obj} follows one drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30825,11 +31266,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{one} and {other}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{one} and {other} cut into each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{one} or {other}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30862,6 +31311,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{part} of {whole}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -31106,6 +31559,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{width} by {height}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{words}, or 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

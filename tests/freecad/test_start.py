@@ -33,6 +33,9 @@ def test_freecad_s_own_numpy_wins() -> None:
 def test_the_addon_manager_reads_package_xml() -> None:
     metadata = FreeCAD.Metadata(str(ROOT / "package.xml"))
     assert (metadata.Name, metadata.Version) == ("CNCStepper", CNCStepper.__version__)
+    assert metadata.supportsCurrentFreeCAD()
+    assert metadata.FreeCADMin == "0.20.2"
+    assert {"part", "numpy"} <= {depend["package"] for depend in metadata.Depend}
     workbench = metadata.Content["workbench"][0]
     assert workbench.Classname == "CNCStepperWorkbench"
     assert workbench.supportsCurrentFreeCAD()
@@ -45,7 +48,8 @@ def test_the_addon_manager_may_install_what_package_xml_requires() -> None:
         listed = Path("/usr/share/freecad") / listed.relative_to(FreeCAD.getHomePath())
     allowed = {line.strip().lower() for line in listed.read_text("utf-8").splitlines()}
     depends = ElementTree.parse(ROOT / "package.xml").iter("{https://wiki.freecad.org/Package_Metadata}depend")
-    required = {depend.text for depend in depends if depend.get("optional") != "true"}
+    python = [depend for depend in depends if depend.get("type") == "python"]
+    required = {depend.text for depend in python if depend.get("optional") != "true"}
     assert required == {"numpy", "ezdxf", "matplotlib", "pillow"}
     assert required <= allowed
 

@@ -15,6 +15,7 @@ from CNCStepper import dependencies
 from helpers.imports import FREECAD, QT, imported, modules, package_of
 
 ROOT = Path(__file__).parents[2]
+MESSAGES = ROOT / "CNCStepper" / "workbench" / "services" / "messages.py"
 NAMESPACE = "{https://wiki.freecad.org/Package_Metadata}"
 
 
@@ -34,6 +35,10 @@ def text(element: ElementTree.Element, name: str) -> str:
     return (found.text or "").strip()
 
 
+def depends(kind: str) -> list[ElementTree.Element]:
+    return [depend for depend in package().iter(f"{NAMESPACE}depend") if depend.get("type") == kind]
+
+
 def test_the_required_elements_are_there() -> None:
     root = package()
     assert root.tag == f"{NAMESPACE}package"
@@ -45,6 +50,8 @@ def test_the_required_elements_are_there() -> None:
     urls = {url.get("type"): url for url in root.iter(f"{NAMESPACE}url")}
     assert {"repository", "readme"} <= set(urls)
     assert urls["repository"].get("branch") == "main"
+    report_at = re.search(r'^REPORT_AT = "(.+)"$', MESSAGES.read_text("utf-8"), re.MULTILINE)
+    assert report_at and urls["bugtracker"].text == report_at[1]
 
 
 def test_the_version_is_the_package_s() -> None:
@@ -62,18 +69,37 @@ def test_files_that_it_names_exist() -> None:
 
 def test_the_workbench_is_the_one_that_initgui_adds() -> None:
     assert text(workbench(), "subdirectory") == "./"
-    assert text(workbench(), "freecadmin") == "0.20.2"
     assert f"class {text(workbench(), 'classname')}(" in (ROOT / "InitGui.py").read_text("utf-8")
+
+
+def test_what_it_needs_stands_directly_in_the_package() -> None:
+    """The Addon Academy's rule: what stands in a content item counts for that item alone."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    needs = {NAMESPACE + name for name in ("freecadmin", "freecadmax", "pythonmin", "depend")}
+    everywhere = [element for element in package().iter() if element.tag in needs]
+    assert len(everywhere) == len([element for element in package() if element.tag in needs])
+    assert text(package(), "freecadmin") == "0.20.2"
+    assert f">={text(package(), 'pythonmin')}" == project["requires-python"]
+
+
+def test_the_workbenches_of_freecad_are_those_that_are_imported() -> None:
+    """Path is called path in FreeCAD 0.20 and cam later; 0.20 takes an unknown name for a Python package."""
+    found = {
+        name.partition(".")[0]
+        for module, path in modules().items()
+        for name, _ in imported(path.read_text("utf-8"), package_of(module, path))
+    }
+    used = {name.lower() for name in found & FREECAD} - {"freecad", "freecadgui", "path"}
+    assert {depend.text for depend in depends("internal")} == used == {"part", "mesh"}
 
 
 def test_the_packages_are_those_of_pyproject() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     wanted = {re.split(r"[<>=~ ]", requirement)[0] for requirement in project["dependencies"]}
-    depends = list(workbench().iter(f"{NAMESPACE}depend"))
-    assert all(depend.get("type") == "python" for depend in depends)
-    optional = {depend.text for depend in depends if depend.get("optional") == "true"}
-    assert {depend.text for depend in depends} == wanted | {"numba", "cadquery"}
-    required = {depend.text for depend in depends} - optional
+    assert {depend.get("type") for depend in package().iter(f"{NAMESPACE}depend")} == {"internal", "python"}
+    optional = {depend.text for depend in depends("python") if depend.get("optional") == "true"}
+    assert {depend.text for depend in depends("python")} == wanted | {"numba", "cadquery"}
+    required = {depend.text for depend in depends("python")} - optional
     assert required == {"numpy", "ezdxf", "matplotlib", "pillow"}, "the Addon Manager lists no others in every version"
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from collections import Counter
@@ -11,6 +12,8 @@ from pathlib import Path
 
 import pytest
 
+from CNCStepper import dependencies
+from CNCStepper.workers.package_installer import pip_arguments
 from helpers.imports import FREECAD, PACKAGE, QT, ROOT, imported, modules, package_of
 
 FLOORS = [  # from the top; rooms on one line do not know each other
@@ -33,6 +36,19 @@ FLOORS = [  # from the top; rooms on one line do not know each other
 FLOOR_OF = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 
 LINES = {"serial", "socket", "socketserver"}
+NET = {
+    "socket", "socketserver", "ssl", "http", "urllib.request", "urllib.error", "ftplib", "smtplib", "poplib", "imaplib",
+    "telnetlib", "xmlrpc", "webbrowser", "requests", "httpx", "aiohttp", "urllib3", "websockets", "distributed",
+    "PySide.QtNetwork", "PySide2.QtNetwork", "PySide6.QtNetwork", "PySide.QtWebEngineWidgets",
+}  # fmt: skip
+SENDERS = {  # beside control and virtual: what a person names the address of
+    ("CNCStepper.job.batch.cluster_workers", "distributed"),
+}
+ADDRESSES = {  # all that is written in the code: names of XML's, which nobody calls, and words for a person
+    "http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink", "http://www.w3.org/XML/1998/namespace",
+    "http://www.inkscape.org/namespaces/inkscape", "http://ns.adobe.com/",
+    "https://github.com/cncstepper/CNCStepper/issues", "http://name:password@host:port", "http://host:port", "http://",
+}  # fmt: skip
 UNIX = {"pty", "tty", "termios", "fcntl"}
 
 
@@ -261,6 +277,57 @@ def test_starting_freecad_loads_nothing_heavy() -> None:
     assert name == "CNCStepper"
     assert Path(icon).is_file()
     assert heavy == "[]"
+
+
+def callers(module: str, source: str, package: str) -> set[tuple[str, str]]:
+    """Return what of the network `source` imports outside of the two rooms that talk to machines."""
+    if room_of(module) in ("control", "virtual"):
+        return set()
+    names = {name for name, _ in imported(source, package)}
+    return {(module, net) for net in NET for name in names if name == net or name.startswith(f"{net}.")}
+
+
+def test_nothing_is_sent_anywhere() -> None:
+    """Ports of machines aside, only orders over several computers use the network, and the installer's pip."""
+    sources = {module: (path.read_text("utf-8"), package_of(module, path)) for module, path in modules().items()}
+    sources |= {name: ((ROOT / name).read_text("utf-8"), "") for name in ("Init.py", "InitGui.py")}
+    found = set().union(*(callers(module, *source) for module, source in sources.items()))
+    assert found == SENDERS
+    written = {
+        address.rstrip(".,;")
+        for text, _ in sources.values()
+        for address in re.findall(r"\b(?:https?|ftps?|wss?)://[^\s\"'{}<>()]*", text)
+    }
+    assert written == ADDRESSES
+
+
+@pytest.mark.parametrize(
+    "statement",
+    [
+        "import urllib.request",
+        "from urllib import request",
+        "def f():\n    import http.client",
+        "from PySide import QtNetwork",
+        "import importlib\nimportlib.import_module('requests')",
+    ],
+)
+def test_a_planted_call_is_found(statement: str) -> None:
+    assert callers("CNCStepper.workbench.dock.window", statement, "CNCStepper.workbench.dock")
+
+
+def test_pip_takes_its_own_index_and_only_after_a_click() -> None:
+    arguments = pip_arguments(Path("target"), ["pyserial==3.5"], None)
+    places = ("--index-url", "-i", "--extra-index-url", "--find-links", "-f", "--trusted-host")
+    assert not [word for word in arguments if word.startswith(places)]
+    assert "--no-index" in pip_arguments(Path("target"), ["pyserial==3.5"], Path("wheels"))
+    pins = dependencies.PINS.read_text("utf-8").splitlines()
+    assert not [line for line in pins if line and not re.fullmatch(r"#.*|[\w.-]+==[\w.]+", line)], "no address in it"
+    sources = {module: path.read_text("utf-8") for module, path in modules().items()}
+    dialog = "CNCStepper.workbench.installation.dialog"
+    assert [module for module, text in sources.items() if re.search(r"(?<!class )\bInstallation\(", text)] == [dialog]
+    assert sources[dialog].count("self.install()") == 1, "install_from_index has it"
+    assert sources[dialog].count("install_from_index") == 2, "its definition and its button"
+    assert 'tr("Install"), self.install_from_index)' in sources[dialog]
 
 
 MOST_MODULES = 25  # side by side in a folder

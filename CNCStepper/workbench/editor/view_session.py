@@ -17,15 +17,15 @@ import numpy as np
 from PySide import QtCore
 
 from CNCStepper.simulation.views.path_lines import Lines
+from CNCStepper.workbench.services.coin_fields import fill_points
 from CNCStepper.workbench.services.messages import guarded
+from CNCStepper.workbench.services.view_colours import FEED_RGB, MARKER_RGB, RAPID_RGB
 from CNCStepper.workbench.simulation import coin_nodes as nodes
-from CNCStepper.workbench.simulation.scene import FEED_RGB, RAPID_RGB
 
 TYPE = QtCore.QEvent.Type
 LEFT = QtCore.Qt.MouseButton.LeftButton
 STILL_PX = 4  # a press and a release that lie nearer together are a click
 NAME = "CNCStepper_Editor"
-LINE_RGB = (0.95, 0.45, 0.0)
 LINE_PX, END_PX = 5.0, 10.0
 
 
@@ -126,10 +126,10 @@ class EditorScene:
         style.lineWidth, style.pointSize = LINE_PX, END_PX
         end = coin.SoPointSet()
         end.vertexProperty = coin.SoVertexProperty()
-        end.vertexProperty.getValue().vertex.setValues(0, 1, points[-1:].copy())
+        fill_points(end.vertexProperty.getValue().vertex, points[-1:])
         self._line.addChild(nodes.in_front())
         self._line.addChild(style)
-        self._line.addChild(nodes.plain(LINE_RGB))
+        self._line.addChild(nodes.plain(MARKER_RGB))
         self._line.addChild(nodes.lines(points, np.full(len(way), 2)))
         self._line.addChild(end)
 

@@ -19,13 +19,12 @@ from CNCStepper.workbench.proving.proof_process import ProofResult
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.object_observers import ProgramObserver
 from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.view_colours import REPORTED_RGB
 from CNCStepper.workbench.simulation import coin_nodes as nodes
 from CNCStepper.workbench.simulation.player import Player
 from CNCStepper.workbench.simulation.scene import Scene
 from CNCStepper.workbench.simulation.stock_update import Material
 from CNCStepper.workbench.simulation.view_session import Stage, view_of
-
-PATH_RGB = (0.10, 0.45, 0.20)
 
 
 class LiveScene(Scene):
@@ -33,7 +32,7 @@ class LiveScene(Scene):
 
     def load_tools(self, tools: dict[int, tuple[np.ndarray, np.ndarray]]) -> Iterator[None]:
         """Add the tools and an empty path."""
-        self._reported = nodes.separator(nodes.plain(PATH_RGB))
+        self._reported = nodes.separator(nodes.plain(REPORTED_RGB))
         self._root.addChild(self._reported)
         self._add_tools(tools)
         yield

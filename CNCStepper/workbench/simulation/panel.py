@@ -13,10 +13,10 @@ from CNCStepper.workbench.services.findings_list import FindingsList
 from CNCStepper.workbench.services.icons import icon
 from CNCStepper.workbench.services.number_format import length_text, totals
 from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.view_colours import FEED_RGB, RAPID_RGB
 from CNCStepper.workbench.simulation.player import Player
 from CNCStepper.workbench.simulation.player_controls import Controls
 from CNCStepper.workbench.simulation.program_list import ProgramList
-from CNCStepper.workbench.simulation.scene import FEED_RGB, RAPID_RGB
 from CNCStepper.workbench.simulation.view_menu import DEPTH, ISOMETRIC, XY, ZY, view_button
 
 if TYPE_CHECKING:

@@ -18,6 +18,7 @@ import numpy as np
 
 from CNCStepper.simulation.meshes.bodies_of_revolution import revolved
 from CNCStepper.simulation.views.depth_colours import deepest_shown_mm
+from CNCStepper.workbench.services.view_colours import FEED_RGB, MARKER_RGB, RAPID_RGB, STOCK_RGB
 from CNCStepper.workbench.simulation import coin_nodes as nodes
 
 if TYPE_CHECKING:
@@ -29,13 +30,9 @@ if TYPE_CHECKING:
 FACES_AT_ONCE = 2500  # so many are handed to the 3D view at once, which takes a few ms
 POINTS_AT_ONCE = 10_000  # of lines, likewise
 PIECES_AT_ONCE = 50  # that are cut free, likewise
-FEED_RGB = (0.13, 0.15, 0.18)
-RAPID_RGB = (0.84, 0.09, 0.44)
-STOCK_RGB = (0.45, 0.36, 0.22)
 CUTTER_RGB = (0.78, 0.80, 0.83)
 SHANK_RGB = (0.42, 0.45, 0.50)
 FALLEN_RGB = (0.62, 0.70, 0.78)
-MARKER_RGB = (0.90, 0.20, 0.05)
 MARKER_SHARE = 0.12  # of the stock's longest side: the height of the marker
 FINISHED, AT_MOMENT = 0, 1  # children of the part's switch
 CORNERS = np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0))])

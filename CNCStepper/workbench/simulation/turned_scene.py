@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from CNCStepper.workbench.services.view_colours import FEED_RGB, MARKER_RGB, RAPID_RGB
 from CNCStepper.workbench.simulation import coin_nodes as nodes
-from CNCStepper.workbench.simulation.scene import FEED_RGB, MARKER_RGB, POINTS_AT_ONCE, RAPID_RGB
+from CNCStepper.workbench.simulation.scene import POINTS_AT_ONCE
 
 if TYPE_CHECKING:
     from CNCStepper.job.turning.turned_groups_file import Groups

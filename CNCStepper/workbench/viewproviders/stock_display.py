@@ -13,12 +13,11 @@ from CNCStepper.errors import JobError
 from CNCStepper.workbench import packages
 from CNCStepper.workbench.document.clamps import rings_of
 from CNCStepper.workbench.document.stock_of_job import stock_of
+from CNCStepper.workbench.services.view_colours import CLAMP_RGB, STOCK_RGB
 
-RGB = (0.72, 0.53, 0.20)  # of wood: seen on FreeCAD's blue and on white
 CROSS_SHARE = 0.05  # of the stock's length: half an arm of the cross
 POSTS = 4
 SHAPED_BY = ("StockForm", "StockSize", "StockOrigin", "EdgeMargin", "WorkOrigin")
-CLAMP_RGB = (0.78, 0.16, 0.55)  # no path, stock or part is drawn in it
 GLASS = 0.7  # of the top face: the solid itself stays to be seen
 
 
@@ -31,7 +30,7 @@ class StockBox:
         self.node = coin.SoSeparator()
         self._points, self._lines = coin.SoCoordinate3(), coin.SoLineSet()
         colour, style, pick = coin.SoBaseColor(), coin.SoDrawStyle(), coin.SoPickStyle()
-        colour.rgb = RGB
+        colour.rgb = STOCK_RGB
         style.lineWidth = 1.5
         pick.style = coin.SoPickStyle.UNPICKABLE  # what is drawn inside the stock stays within reach of the mouse
         for part in (pick, colour, style, self._points, self._lines):
@@ -118,8 +117,7 @@ def _block_edges(ring: list[Any], floor_mm: float) -> list[list[Any]]:
 
 def show_strips(points: Any, shape: Any, strips: list[list[Any]]) -> None:
     """Let nodes of coordinates and of lines or faces show strips of points."""
-    flat = [point for strip in strips for point in strip]
-    points.point.setValues(0, len(flat), flat)
-    points.point.setNum(len(flat))
-    shape.numVertices.setValues(0, len(strips), [len(strip) for strip in strips])
-    shape.numVertices.setNum(len(strips))
+    from CNCStepper.workbench.services.coin_fields import fill_points, fill_whole_numbers
+
+    fill_points(points.point, [point for strip in strips for point in strip])
+    fill_whole_numbers(shape.numVertices, [len(strip) for strip in strips])

@@ -9,7 +9,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from CNCStepper.workbench.viewproviders.stock_display import RGB, show_strips
+from CNCStepper.workbench.services.view_colours import STOCK_RGB
+from CNCStepper.workbench.viewproviders.stock_display import show_strips
 
 CHUCK_RGB = (0.42, 0.45, 0.50)
 SIDES = 48  # of a circle
@@ -34,7 +35,7 @@ class TurnedStock:
         style.lineWidth = 1.5
         self.node.addChild(pick)
         self.node.addChild(style)
-        self._bar, self._holders = self._lines(RGB), self._lines(CHUCK_RGB)
+        self._bar, self._holders = self._lines(STOCK_RGB), self._lines(CHUCK_RGB)
 
     def _lines(self, rgb: tuple[float, float, float]) -> tuple[Any, Any]:
         from pivy import coin
