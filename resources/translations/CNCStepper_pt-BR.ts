@@ -4111,10 +4111,6 @@
             <translation>Uma porta serial, ou um endereço como 192.168.0.7:23</translation>
         </message>
         <message>
-            <source>A serial port, or an address as socket://192.168.0.7:23</source>
-            <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
-        </message>
-        <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
             <translation>Uma parte da potência máxima da máquina; 0: a da tabela</translation>
         </message>
