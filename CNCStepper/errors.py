@@ -38,7 +38,8 @@ class Place:
 class Text(str):
     """A sentence in English that keeps its template and its values: `Text("{key} is too long", key=key)`.
 
-    Numbers, strings and texts stay values as they are; an error becomes its text, anything else its str().
+    Numbers, strings and texts stay values as they are; an error becomes its text,
+    one of the operating system its words without the number, anything else its str().
     """
 
     __slots__ = ("template", "values")
@@ -70,7 +71,9 @@ def _value(value: object) -> Any:
         return value.item()
     if isinstance(value, ValueError) and value.args and isinstance(value.args[0], Text):  # of a model's own check
         return value.args[0]
-    return value.text if isinstance(value, CNCStepperError) else str(value)
+    if isinstance(value, CNCStepperError):
+        return value.text
+    return str(getattr(value, "strerror", None) or value)  # of the operating system's the words without the number
 
 
 def _translated(value: Any, look_up: Callable[[str], str]) -> Any:

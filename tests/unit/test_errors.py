@@ -59,6 +59,11 @@ def test_an_error_keeps_its_texts() -> None:
     assert str(ERROR) == "Slot 1 is longer than 12.35 mm (limit at most 3 mm); take 'x' away [too-long]"
 
 
+def test_an_error_of_the_operating_system_is_quoted_without_its_number() -> None:
+    assert Text("it broke: {error}", error=BrokenPipeError(32, "Broken pipe")) == "it broke: Broken pipe"
+    assert Text("it broke: {error}", error=OSError("odd")) == "it broke: odd"
+
+
 def test_values_in_an_error_are_printable_and_bounded() -> None:
     error = JobError("x", Text("no {name} here", name="\x1b[2J\u202e"))
     assert error.what == "no \\x1b[2J\\u202e here" and error.what.template == "no {name} here"  # type: ignore[attr-defined]
