@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import reduce
 from numbers import Number
 from typing import Any
 
@@ -88,6 +89,16 @@ def joined(separator: str, parts: Iterable[str]) -> str:
     if len(values) < 2:
         return values.get("part1", "")
     return Text(separator.join(f"{{{name}}}" for name in values), **values)
+
+
+def one_of(parts: Iterable[str]) -> str:
+    """Return texts as "a or b or c", "" for none."""
+    return reduce(lambda one, other: Text("{one} or {other}", one=one, other=other) if one else other, parts, "")
+
+
+def all_of(parts: Iterable[str]) -> str:
+    """Return texts as "a and b and c", "" for none."""
+    return reduce(lambda one, other: Text("{one} and {other}", one=one, other=other) if one else other, parts, "")
 
 
 def _printable(text: str) -> str:

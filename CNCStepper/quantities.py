@@ -125,10 +125,11 @@ class Bounds:
         return QUANTITIES[self.kind].most if self.most is None else self.most
 
     @property
-    def words(self) -> str:
+    def words(self) -> Text:
         """The bounds for a person: "0.001 to 10000 mm, or 0"."""
         unit = f" {self.unit}" if self.unit else ""
-        return f"{self.low:.10g} to {self.high:.10g}{unit}" + (", or 0" if self.zero and self.low > 0 else "")
+        words = Text("{low:.10g} to {high:.10g}{unit}", low=self.low, high=self.high, unit=unit)
+        return Text("{words}, or 0", words=words) if self.zero and self.low > 0 else words
 
     @property
     def advice(self) -> str:
@@ -164,7 +165,7 @@ class Bounds:
         if kind["type"] == "float":
             kind["allow_inf_nan"] = False
         schema = core_schema.no_info_after_validator_function(self._not_between, kind) if zero else kind
-        number = "a whole number" if kind["type"] == "int" else "a number"
+        number = Text("a whole number") if kind["type"] == "int" else Text("a number")
         return core_schema.custom_error_schema(
             schema,
             custom_error_type=ERROR_TYPE,
@@ -205,7 +206,7 @@ def shown(value: Any, most: int = 60) -> str:
     try:
         return printable(short.repr(value), most)
     except (ValueError, RecursionError):  # Python writes no int of more than 4300 digits
-        return "a number of thousands of digits" if isinstance(value, int) else f"a {type(value).__name__}"
+        return Text("a number of thousands of digits") if isinstance(value, int) else f"a {type(value).__name__}"
 
 
 def with_unit(value: float, unit: str) -> str:
@@ -213,7 +214,7 @@ def with_unit(value: float, unit: str) -> str:
     try:
         text = f"{float(value):.10g}"
     except OverflowError:
-        return "a number of hundreds of digits"
+        return Text("a number of hundreds of digits")
     return f"{text} {unit}".strip()
 
 

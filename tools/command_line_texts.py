@@ -24,6 +24,8 @@ CATALOGUE = ROOT / "CNCStepper" / "locale" / "pt" / "LC_MESSAGES" / "cncstepper.
 HEADER = "Content-Type: text/plain; charset=UTF-8\nLanguage: pt_BR\nPlural-Forms: nplurals=2; plural=(n > 1);\n"
 SAID_BY = ("Text", "look_up", "show_text")
 REFUSING = {"UsageError", "BadParameter", "ClickException", "fail"}
+SHOWING = {"echo", "secho", "confirm", "prompt", "pause"}  # of click
+DATA = {"virtual {0} at {1}"}  # lines that a program reads: the window that started a virtual machine
 NO_WORDS = re.compile(r"\{[^{}]*\}|^cncstepper:")
 WORD = re.compile(r"[^\W\d_]{3,}")
 OF_CLICK = (
@@ -127,11 +129,35 @@ def texts_said(source: str) -> Iterator[tuple[str, int]]:
 
 
 def unmarked(source: str) -> Iterator[tuple[int, str]]:
-    """Yield lines at which a verb refuses with words that no catalogue can hold, and the words."""
+    """Yield lines at which a verb refuses, prints or asks with words that no catalogue can hold, and the words."""
     for node in calls(source):
-        for argument in node.args[:1] if called(node) in REFUSING else ():
-            if isinstance(argument, ast.JoinedStr | ast.Constant):
-                yield node.lineno, ast.unparse(argument)
+        if called(node) in REFUSING:
+            yield from ((node.lineno, ast.unparse(each)) for each in node.args[:1] if is_string(each))
+        elif called(node) in SHOWING:
+            yield from ((node.lineno, words) for each in node.args[:1] for words in plain_words(each))
+
+
+def is_string(node: ast.expr) -> bool:
+    """Return whether a string stands there, with values or without."""
+    return isinstance(node, ast.JoinedStr | ast.Constant)
+
+
+def plain_words(node: ast.expr) -> Iterator[str]:
+    """Yield the strings with words in what is printed; the arguments of calls in it are looked at by themselves."""
+    if is_string(node):
+        if WORD.search(NO_WORDS.sub("", words := template(node))) and words not in DATA:
+            yield words
+    elif not isinstance(node, ast.Call | ast.Subscript):
+        for part in ast.iter_child_nodes(node):
+            if isinstance(part, ast.expr):
+                yield from plain_words(part)
+
+
+def template(node: ast.expr) -> str:
+    """Return a string of the source, {0} and so on for its values."""
+    numbers = iter(range(len(ast.unparse(node))))
+    parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+    return "".join(str(part.value) if isinstance(part, ast.Constant) else f"{{{next(numbers)}}}" for part in parts)
 
 
 def calls(source: str) -> Iterator[ast.Call]:

@@ -61,7 +61,7 @@ SECONDS = {
     HEADLESS: 110,
     "scaled": 60,
     "portuguese": 50,
-    EMPTY_HOME: 40,
+    EMPTY_HOME: 90,
     SET_UP: 60,
 }
 OTHERS_S = 10
@@ -141,8 +141,8 @@ def follows(chosen: list[str]) -> dict[Key, tuple[Key, ...]]:
     found: dict[Key, tuple[Key, ...]] = {}
     for place, version in enumerate(chosen):
         found[version, SET_UP] = ()
-        found |= {(version, name): ((version, SET_UP),) for name in (HEADLESS, EMPTY_HOME)}
-        later = [name for name in (DOCUMENTS, *KINDS) if name in wanted(version)]
+        found[version, HEADLESS] = ((version, SET_UP),)
+        later = [name for name in (DOCUMENTS, EMPTY_HOME, *KINDS) if name in wanted(version)]
         found |= {(version, name): ((version, HEADLESS),) for name in later}
         if REST in later:  # how long it takes is known best from the road's files
             found[version, REST] = ((version, "plain"),)

@@ -102,6 +102,7 @@ wanted_content() { echo "content $(cat pyproject.toml CNCStepper/constraints.txt
 
 make_venv() {
     local python=$1 place content
+    if [ -L .venv ]; then return; fi  # that of another checkout, whose own set-up keeps it: here it would be emptied
     place=$(wanted_place "$python")
     content=$(wanted_content)
     if [ -e "$stamp" ] && [ "$(cat "$stamp")" = "$place"$'\n'"$content" ]; then return; fi

@@ -26,7 +26,7 @@ from CNCStepper.drawing.drawing import Drawing, Share
 from CNCStepper.drawing.nesting_levels import nesting_levels
 from CNCStepper.drawing.point_list import read_points
 from CNCStepper.drawing.repair.mend import CHANGES, Change, mended
-from CNCStepper.errors import GeometryError, JobError, Place, Text, placed
+from CNCStepper.errors import GeometryError, JobError, Place, Text, all_of, placed
 from CNCStepper.geometry.curve import Curve, circle, from_points
 from CNCStepper.geometry.fitting.point_fit import refitted
 from CNCStepper.geometry.shapes.ellipse import Ellipse
@@ -129,7 +129,7 @@ class ShapeForm(_Checked):
     def _is_drawn_once(self) -> ShapeForm:
         ways = [key for key in WAYS if getattr(self, key) is not None]
         if len(ways) != 1:
-            told = Text("it has {ways}", ways=" and ".join(ways)) if ways else "it has none"
+            told = Text("it has {ways}", ways=all_of(ways)) if ways else Text("it has none")
             raise ValueError(
                 Text("the shape '{name}' needs one of {ways}; {told}", name=self.name, ways=", ".join(WAYS), told=told)
             )

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from CNCStepper.workbench import commands, dock, first_run, preferences
+from CNCStepper.workbench.calculation import freecad_modules
 from CNCStepper.workbench.installation import open_installation
 from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.messages import NAME, guarded
@@ -17,7 +18,8 @@ LATHE = QT_TRANSLATE_NOOP("Workbench", "Lathe")  # FreeCAD translates names of t
 
 @guarded
 def first(workbench: Any) -> None:
-    """Fill the workbench's toolbar and menu."""
+    """Fill the workbench's toolbar and menu; what they make needs some of FreeCAD's own modules."""
+    loading = freecad_modules.begin()
     toolbar, menu, turning = commands.register()
     workbench.appendToolbar(NAME, toolbar)
     workbench.appendToolbar(LATHE, turning)
@@ -25,6 +27,7 @@ def first(workbench: Any) -> None:
     workbench.appendMenu([NAME, LATHE], turning)
     preferences.register()
     tree_tooltips.install()
+    freecad_modules.end(loading)
 
 
 @guarded

@@ -4111,10 +4111,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>A serial port, or an address as socket://192.168.0.7:23</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11269,6 +11265,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>What to do when …</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>What was found in it</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13328,6 +13328,11 @@ the height</source>
     <context>
         <name>CNCStepper cli</name>
         <message>
+            <source>
+The job has ended. Press Enter to see how</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>   not placed: {count} of {name}: {why}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13394,6 +13399,14 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>'{text}' is no answer: {help}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>'{text}' is no jog: at most {most_mm:g} mm, with a feed above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>'{text}' is no override: write for example feed +10, or flood</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13439,6 +13452,18 @@ the height</source>
         </message>
         <message>
             <source>(Did you mean one of: {possibilities}?)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>, in the language that is sent: --dialect {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>, z-0.1 jogs{touches} ({place})</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>, zero z touches off</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -13559,6 +13584,28 @@ the height</source>
         </message>
         <message>
             <source>... {lines} more lines; --diff shows all</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>1 line changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>; `cncstepper back` goes back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>?                      where the machine stands
+!  ~                   hold; go on
+feed +10  rapid 50     overrides in %: also spindle -10, feed 100; flood, mist switch the coolant
+stop                   bring it to rest: hold, standstill, reset; spindle and outputs off
+home  unlock           $H and $X
+zero [XYZ]             make this place the work zero
+jog X10 Y-2.5 [F1000]  move by that way in mm
+$$ $# $G $I $N         settings, offsets, modes, what it is, start-up lines
+$110=500               change a setting
+G0 X10, M3 S1000 ...   any line that the controller knows, while its position is not unknown
+history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -14219,6 +14266,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Is the work zero set on the stock, and the way free?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>It also works while `cncstepper send` holds its job at that port. The controller is then reset at standstill, which stops the spindle. `cncstepper back --resume` goes on: up, across and slowly down to the cut, and along it. At a pause, or during a tool change (M6 of grblHAL), nothing is reset, and the tool returns before the job resumes.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -14452,6 +14503,14 @@ the height</source>
         </message>
         <message>
             <source>May be missing where the target lacks it; otherwise such a program is refused.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Meanwhile the job has gone on ({phase}). Press Enter to see it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Meanwhile: {why}. Press Enter to be asked about that</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15059,6 +15118,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>That was not done: it answered to a stand that is over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The axes move to their switches: make sure that the path is free. Ctrl-C stops them; the position is unknown then. Many boards restart when their port is opened anew and forget what they have found: the connection stays open for the verbs that follow, --keep-open minutes long or until `cncstepper disconnect`.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15147,6 +15210,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>The machine holds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>The machine's profile, by name or TOML file; needed where this computer itself is the controller.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15172,6 +15239,10 @@ the height</source>
         </message>
         <message>
             <source>The profile that has all other values.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>The program pauses</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15479,6 +15550,18 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>X is a diameter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X is a diameter in some lines and a radius in others; findings give radii</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>X is a radius</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>X times this.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15507,11 +15590,19 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a controller in the state {state}, which is not disturbed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a file</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>a file that {what} names</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a program without F takes {feed:g} mm/min ({whose})</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15527,11 +15618,25 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>an animation needs --view</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>at most {notes} parts</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>b MM    back along the cut by MM millimetres      f [MM]  forward again, as far as it was cut at most
+l LINE  back to where LINE of the program begins  r       resume: spindle on, cut from here to the end
+e       back to the last entry into the work      s       stop the job        q  leave, the machine stands</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>below</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15598,6 +15703,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>density {density:.3f}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>directory</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15607,6 +15716,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>from line {line} of the program, which is not a file here any more: {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15682,6 +15795,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>it restarted when its port was opened</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>judging the part of</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15691,6 +15808,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>looking at {name}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower left to upper right in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lower right to upper left in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>machine {position}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15710,6 +15839,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>mark the lower left corner, then press a key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mark the lower right corner, then press a key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mark the upper left corner, then press a key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>mark the upper right corner, then press a key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>mm of an STL's unit.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15723,6 +15868,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no connection is open</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>no connection to {port} is open</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15746,7 +15899,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>none is needed: from there on the program cuts nothing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>none: {file} was changed since, so its lines are not those of the journal; bring the old text back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>note: {note}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>nothing is cut before line {line}, so the program is sent from its beginning</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15767,6 +15936,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>path</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>pause: {message}; going on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>position unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>press Enter alone to go on or s to stop; x10 y-5 z0.1 jogs (f100: that fast), zero z touches off; overrides: {overrides}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15810,7 +15991,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>reports in inches ($13=1)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>required</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>shipped</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15822,6 +16011,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>start one with cncstepper send</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>stepping {name}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15830,11 +16023,27 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>that was not done: the job has gone on meanwhile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the angle between X and Y is {angle_deg:.4f}°: {deviation_deg:+.4f}°, {skew_mm_m:.3f} mm over a metre</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the chart has no row of {process}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection to {port} stays open for {keep_min:g} min; `cncstepper disconnect` closes it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the controller does not tell its overrides</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the desk has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15862,11 +16071,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the lathe's program has no entry in its middle: switch the lathe off and on, set its zero by hand, then send the program from its beginning</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the machine is not homed: {state}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the machine, which the job was sent without</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile does not say what drives {axis}: add [axis.{axis}.drive] to it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the profile of {machine}: put its file in place of {name}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15875,6 +16096,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the program pauses: {why}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the stock and its tool, so nobody sees whether a rapid meets material: give --stock and --tool, or --job, in place of {option}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>there is no override '{words}'; there are: {known}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15914,7 +16143,27 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write these {count} settings to {port}?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {key}={value:g} into {profile}?</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write {setting} to the controller too? its position is unknown afterwards</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>writing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>yours</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>yours, instead of the shipped one</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15946,7 +16195,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{changes} lines changed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{copied_from} ships with the program and stays as it is; your copy takes its place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{count} bytes of receive buffer</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -15978,6 +16235,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{name} is not as it was, or not there: {copy} is what the job was sent with</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} is not there any more: the restart is made with it, bring it back</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name} was changed since: see that it still says what was cut</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{name} {filename!r} does not exist.</source>
             <translation type="unfinished"></translation>
         </message>
@@ -15998,11 +16267,27 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{name}: off</source>
+            <source>{name}: switched off</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{name}: switched on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{name}: tool {tool}, {lines} lines</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{number} of {repeats}: measured length in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{number} of {repeats}: set the scale to zero, then press a key</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{number} of {repeats}: the dial, come from {side}, in mm</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16118,6 +16403,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{read}: not written; add --out FILE or --in-place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{rows} of {all_rows} settings differ</source>
             <translation type="unfinished"></translation>
         </message>
@@ -16135,6 +16424,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{status}   ~ goes on, stop ends it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{target}: written</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16189,9 +16482,41 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <source>{what}, which is read</source>
             <translation type="unfinished"></translation>
         </message>
+        <message>
+            <source>{why} (Enter ends the console)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}. Enter goes on, s stops{jogs}, ? says more{back}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}. Its start button goes on, Ctrl-C asks here</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{why}. Nobody can answer here, so the machine waits. In any terminal `{go}` goes on, `cncstepper back` goes back, `cncstepper stop` stops; so does Ctrl-C here</source>
+            <translation type="unfinished"></translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper core</name>
+        <message>
+            <source> above {least:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source> below {most:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source> of at least {least:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source> of at most {most:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
         <message>
             <source>! is a command to the controller (feed hold), not part of a program</source>
             <translation type="unfinished"></translation>
@@ -16414,6 +16739,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>/ (block delete) may stand only at the beginning of a line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>0 or 1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -16809,7 +17138,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>FluidNC follows the exact path always: leave the word out or write G61</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC has G54 to G59</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC has no canned cycles: write the holes as plain moves</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>FluidNC keeps its settings in its configuration file, not by $ numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>FluidNC moves X, Y and Z only</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -17833,6 +18178,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a list has no entry {0}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -17898,6 +18247,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a move would end outside the travel (soft limit)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18257,6 +18610,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a text is too long</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18350,6 +18707,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>a turret in front of the axis takes the same program; to move the path use offset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>a value</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -18858,10 +19219,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>at least {z_mm:g} mm</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>at most</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21069,6 +21426,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>in {table} </source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>incremental coordinates became absolute</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21134,6 +21495,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>inverted step pins</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is missing</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is no key that is known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>is not written as it must be</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22457,7 +22830,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be a finite number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be a list</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be a number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22469,11 +22850,55 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be a whole number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be above {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be at least {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be at most {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be below {limit:g}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must be left out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be true or false</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>must be {choices}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at least {least} characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at least {least} values</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at most {most} characters</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>must have at most {most} values</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30529,6 +30954,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{low:.10g} to {high:.10g}{unit}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{machine} accepts no pulse letters</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30809,6 +31238,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{number} from {words}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{obj} follows one drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30837,11 +31270,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{one} and {other}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{one} and {other} cut into each other</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{one} or {other}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30874,6 +31315,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{part} of {whole}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -31118,6 +31563,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{width} by {height}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{words}, or 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -4111,10 +4111,6 @@
             <translation>Uma porta serial, ou um endereço como 192.168.0.7:23</translation>
         </message>
         <message>
-            <source>A serial port, or an address as socket://192.168.0.7:23</source>
-            <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
-        </message>
-        <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
             <translation>Uma parte da potência máxima da máquina; 0: a da tabela</translation>
         </message>
@@ -11271,6 +11267,10 @@ altura</translation>
             <translation>O que fazer</translation>
         </message>
         <message>
+            <source>What to do when …</source>
+            <translation>O que fazer quando …</translation>
+        </message>
+        <message>
             <source>What was found in it</source>
             <translation>O que foi achado nele</translation>
         </message>
@@ -13330,6 +13330,12 @@ altura</translation>
     <context>
         <name>CNCStepper cli</name>
         <message>
+            <source>
+The job has ended. Press Enter to see how</source>
+            <translation>
+O trabalho terminou. Tecle Enter para ver como</translation>
+        </message>
+        <message>
             <source>   not placed: {count} of {name}: {why}</source>
             <translation>   sem lugar: {count} de {name}: {why}</translation>
         </message>
@@ -13410,6 +13416,14 @@ altura</translation>
             <translation>'{path}' é {kind}, não um arquivo</translation>
         </message>
         <message>
+            <source>'{text}' is no answer: {help}</source>
+            <translation>'{text}' não é uma resposta: {help}</translation>
+        </message>
+        <message>
+            <source>'{text}' is no jog: at most {most_mm:g} mm, with a feed above 0</source>
+            <translation>'{text}' não é um movimento manual: no máximo {most_mm:g} mm, com avanço acima de 0</translation>
+        </message>
+        <message>
             <source>'{text}' is no override: write for example feed +10, or flood</source>
             <translation>'{text}' não é um ajuste: escreva por exemplo feed +10, ou flood</translation>
         </message>
@@ -13456,6 +13470,18 @@ altura</translation>
         <message>
             <source>(Did you mean one of: {possibilities}?)</source>
             <translation>(Você quis dizer uma destas: {possibilities}?)</translation>
+        </message>
+        <message>
+            <source>, in the language that is sent: --dialect {name}</source>
+            <translation>, na linguagem que é enviada: --dialect {name}</translation>
+        </message>
+        <message>
+            <source>, z-0.1 jogs{touches} ({place})</source>
+            <translation>, z-0.1 move à mão{touches} ({place})</translation>
+        </message>
+        <message>
+            <source>, zero z touches off</source>
+            <translation>, zero z define o zero ali</translation>
         </message>
         <message>
             <source>, {volume:.3g} cm³ removed</source>
@@ -13576,6 +13602,38 @@ altura</translation>
         <message>
             <source>... {lines} more lines; --diff shows all</source>
             <translation>... mais {lines} linhas; --diff mostra todas</translation>
+        </message>
+        <message>
+            <source>1 line changed</source>
+            <translation>1 linha mudou</translation>
+        </message>
+        <message>
+            <source>; `cncstepper back` goes back</source>
+            <translation>; `cncstepper back` volta</translation>
+        </message>
+        <message>
+            <source>?                      where the machine stands
+!  ~                   hold; go on
+feed +10  rapid 50     overrides in %: also spindle -10, feed 100; flood, mist switch the coolant
+stop                   bring it to rest: hold, standstill, reset; spindle and outputs off
+home  unlock           $H and $X
+zero [XYZ]             make this place the work zero
+jog X10 Y-2.5 [F1000]  move by that way in mm
+$$ $# $G $I $N         settings, offsets, modes, what it is, start-up lines
+$110=500               change a setting
+G0 X10, M3 S1000 ...   any line that the controller knows, while its position is not unknown
+history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)</source>
+            <translation>?                      onde a máquina está
+!  ~                   reter; continuar
+feed +10  rapid 50     ajustes em %: também spindle -10, feed 100; flood e mist ligam e desligam a refrigeração
+stop                   levar ao repouso: retenção, parada, reset; fuso e saídas desligados
+home  unlock           $H e $X
+zero [XYZ]             fazer deste lugar o zero da peça
+jog X10 Y-2.5 [F1000]  mover por esse caminho, em mm
+$$ $# $G $I $N         configurações, deslocamentos, modos, o que ele é, linhas de partida
+$110=500               mudar uma configuração
+G0 X10, M3 S1000 ...   qualquer linha que o controlador conhece, enquanto a sua posição não é desconhecida
+history  help  quit    (Ctrl-D sai; Ctrl-C retém um movimento)</translation>
         </message>
         <message>
             <source>A LinuxCNC tool table in mm: lengths for G43, diameters for G41 and G42.</source>
@@ -14236,6 +14294,10 @@ altura</translation>
             <translation>Valor inválido: {message}</translation>
         </message>
         <message>
+            <source>Is the work zero set on the stock, and the way free?</source>
+            <translation>O zero da peça está definido no material e o caminho está livre?</translation>
+        </message>
+        <message>
             <source>It also works while `cncstepper send` holds its job at that port. The controller is then reset at standstill, which stops the spindle. `cncstepper back --resume` goes on: up, across and slowly down to the cut, and along it. At a pause, or during a tool change (M6 of grblHAL), nothing is reset, and the tool returns before the job resumes.</source>
             <translation>Também funciona enquanto `cncstepper send` mantém seu trabalho em pausa nessa porta. O controlador então recebe um reset parado, que para o fuso. `cncstepper back --resume` continua: sobe, atravessa e desce devagar até o corte, e segue por ele. Em uma pausa, ou durante uma troca de ferramenta (M6 do grblHAL), não há reset, e a ferramenta volta antes que o trabalho continue.</translation>
         </message>
@@ -14470,6 +14532,14 @@ altura</translation>
         <message>
             <source>May be missing where the target lacks it; otherwise such a program is refused.</source>
             <translation>Pode faltar onde o destino não o tem; senão tal programa é recusado.</translation>
+        </message>
+        <message>
+            <source>Meanwhile the job has gone on ({phase}). Press Enter to see it</source>
+            <translation>Nesse meio-tempo o trabalho continuou ({phase}). Tecle Enter para vê-lo</translation>
+        </message>
+        <message>
+            <source>Meanwhile: {why}. Press Enter to be asked about that</source>
+            <translation>Nesse meio-tempo: {why}. Tecle Enter para ser perguntado sobre isso</translation>
         </message>
         <message>
             <source>Measure both diagonals of the rectangle, not only one (3-4-5).</source>
@@ -15076,6 +15146,10 @@ altura</translation>
             <translation>O comandado, em mm.</translation>
         </message>
         <message>
+            <source>That was not done: it answered to a stand that is over</source>
+            <translation>Isso não foi feito: respondia a uma parada que já passou</translation>
+        </message>
+        <message>
             <source>The axes move to their switches: make sure that the path is free. Ctrl-C stops them; the position is unknown then. Many boards restart when their port is opened anew and forget what they have found: the connection stays open for the verbs that follow, --keep-open minutes long or until `cncstepper disconnect`.</source>
             <translation>Os eixos vão aos seus fins de curso: certifique-se de que o caminho está livre. Ctrl-C os para; então a posição é desconhecida. Muitas placas reiniciam quando sua porta é aberta de novo e esquecem o que acharam: a conexão fica aberta para os verbos seguintes, por --keep-open minutos ou até `cncstepper disconnect`.</translation>
         </message>
@@ -15164,6 +15238,10 @@ altura</translation>
             <translation>Os comprimentos de um tool.tbl, lido ou escrito, são polegadas.</translation>
         </message>
         <message>
+            <source>The machine holds</source>
+            <translation>A máquina está retida</translation>
+        </message>
+        <message>
             <source>The machine's profile, by name or TOML file; needed where this computer itself is the controller.</source>
             <translation>O perfil da máquina, pelo nome ou arquivo TOML; necessário onde este computador é o próprio controlador.</translation>
         </message>
@@ -15190,6 +15268,10 @@ altura</translation>
         <message>
             <source>The profile that has all other values.</source>
             <translation>O perfil que tem todos os outros valores.</translation>
+        </message>
+        <message>
+            <source>The program pauses</source>
+            <translation>O programa está em pausa</translation>
         </message>
         <message>
             <source>The report goes to standard error, the program to standard output or --out.</source>
@@ -15496,6 +15578,18 @@ altura</translation>
             <translation>Escreve sem perguntar.</translation>
         </message>
         <message>
+            <source>X is a diameter</source>
+            <translation>X é um diâmetro</translation>
+        </message>
+        <message>
+            <source>X is a diameter in some lines and a radius in others; findings give radii</source>
+            <translation>X é um diâmetro em algumas linhas e um raio em outras; os achados dão raios</translation>
+        </message>
+        <message>
+            <source>X is a radius</source>
+            <translation>X é um raio</translation>
+        </message>
+        <message>
             <source>X times this.</source>
             <translation>X vezes isto.</translation>
         </message>
@@ -15524,12 +15618,20 @@ altura</translation>
             <translation>[padrão: o primeiro com tabela que a máquina tem]</translation>
         </message>
         <message>
+            <source>a controller in the state {state}, which is not disturbed</source>
+            <translation>um controlador no estado {state}, que não é perturbado</translation>
+        </message>
+        <message>
             <source>a file</source>
             <translation>um arquivo</translation>
         </message>
         <message>
             <source>a file that {what} names</source>
             <translation>um arquivo que {what} nomeia</translation>
+        </message>
+        <message>
+            <source>a program without F takes {feed:g} mm/min ({whose})</source>
+            <translation>um programa sem F usa {feed:g} mm/min ({whose})</translation>
         </message>
         <message>
             <source>a strip</source>
@@ -15544,12 +15646,28 @@ altura</translation>
             <translation>uma peça torneada é desenhada como meia seção, em um momento: não dê --view</translation>
         </message>
         <message>
+            <source>above</source>
+            <translation>cima</translation>
+        </message>
+        <message>
             <source>an animation needs --view</source>
             <translation>uma animação precisa de --view</translation>
         </message>
         <message>
             <source>at most {notes} parts</source>
             <translation>no máximo {notes} peças</translation>
+        </message>
+        <message>
+            <source>b MM    back along the cut by MM millimetres      f [MM]  forward again, as far as it was cut at most
+l LINE  back to where LINE of the program begins  r       resume: spindle on, cut from here to the end
+e       back to the last entry into the work      s       stop the job        q  leave, the machine stands</source>
+            <translation>b MM    volta MM milímetros ao longo do corte       f [MM]  de novo à frente, no máximo até onde foi cortado
+l LINHA volta ao começo da LINHA do programa        r       retomar: fuso ligado, corta daqui até o fim
+e       volta à última entrada no material          s       parar o trabalho    q  sair, a máquina fica parada</translation>
+        </message>
+        <message>
+            <source>below</source>
+            <translation>baixo</translation>
         </message>
         <message>
             <source>checking</source>
@@ -15622,6 +15740,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>padrão: {default}</translation>
         </message>
         <message>
+            <source>density {density:.3f}</source>
+            <translation>densidade {density:.3f}</translation>
+        </message>
+        <message>
             <source>directory</source>
             <translation>diretório</translation>
         </message>
@@ -15632,6 +15754,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>file</source>
             <translation>arquivo</translation>
+        </message>
+        <message>
+            <source>from line {line} of the program, which is not a file here any more: {name}</source>
+            <translation>da linha {line} do programa, que não é mais um arquivo aqui: {name}</translation>
         </message>
         <message>
             <source>give --certificate, or --machine or --job to have it checked, or --unchecked</source>
@@ -15706,6 +15832,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>não são três números em mm com ponto decimal, como 100,70,20</translation>
         </message>
         <message>
+            <source>it restarted when its port was opened</source>
+            <translation>ele reiniciou quando a porta foi aberta</translation>
+        </message>
+        <message>
             <source>judging the part of</source>
             <translation>julgando a peça de</translation>
         </message>
@@ -15716,6 +15846,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>looking at {name}</source>
             <translation>examinando {name}</translation>
+        </message>
+        <message>
+            <source>lower left to upper right in mm</source>
+            <translation>de inferior esquerdo a superior direito em mm</translation>
+        </message>
+        <message>
+            <source>lower right to upper left in mm</source>
+            <translation>de inferior direito a superior esquerdo em mm</translation>
+        </message>
+        <message>
+            <source>machine {position}</source>
+            <translation>máquina {position}</translation>
         </message>
         <message>
             <source>making and proving</source>
@@ -15734,6 +15876,22 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>gerando {name}</translation>
         </message>
         <message>
+            <source>mark the lower left corner, then press a key</source>
+            <translation>marque o canto inferior esquerdo e depois pressione uma tecla</translation>
+        </message>
+        <message>
+            <source>mark the lower right corner, then press a key</source>
+            <translation>marque o canto inferior direito e depois pressione uma tecla</translation>
+        </message>
+        <message>
+            <source>mark the upper left corner, then press a key</source>
+            <translation>marque o canto superior esquerdo e depois pressione uma tecla</translation>
+        </message>
+        <message>
+            <source>mark the upper right corner, then press a key</source>
+            <translation>marque o canto superior direito e depois pressione uma tecla</translation>
+        </message>
+        <message>
             <source>mm of an STL's unit.</source>
             <translation>mm da unidade de um STL.</translation>
         </message>
@@ -15748,6 +15906,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>nesting {parts} parts for {time_s:g} s; Ctrl+C ends it with the best so far</source>
             <translation>aninhando {parts} peças por {time_s:g} s; Ctrl+C o encerra com o melhor até então</translation>
+        </message>
+        <message>
+            <source>no connection is open</source>
+            <translation>nenhuma conexão está aberta</translation>
+        </message>
+        <message>
+            <source>no connection to {port} is open</source>
+            <translation>nenhuma conexão com {port} está aberta</translation>
         </message>
         <message>
             <source>no conversion makes it a program for {target}: {reason}</source>
@@ -15770,8 +15936,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhum valor do perfil compensa isso: gire o pórtico até que sejam 90°</translation>
         </message>
         <message>
+            <source>none is needed: from there on the program cuts nothing</source>
+            <translation>não é preciso: dali em diante o programa não corta nada</translation>
+        </message>
+        <message>
+            <source>none: {file} was changed since, so its lines are not those of the journal; bring the old text back</source>
+            <translation>nenhum: {file} foi alterado desde então, e as suas linhas não são as do diário; traga de volta o texto antigo</translation>
+        </message>
+        <message>
             <source>note: {note}</source>
             <translation>nota: {note}</translation>
+        </message>
+        <message>
+            <source>nothing changed</source>
+            <translation>nada mudou</translation>
+        </message>
+        <message>
+            <source>nothing is cut before line {line}, so the program is sent from its beginning</source>
+            <translation>nada é cortado antes da linha {line}; por isso o programa é enviado desde o começo</translation>
         </message>
         <message>
             <source>nothing was written</source>
@@ -15792,6 +15974,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>path</source>
             <translation>caminho</translation>
+        </message>
+        <message>
+            <source>pause: {message}; going on</source>
+            <translation>pausa: {message}; continuando</translation>
+        </message>
+        <message>
+            <source>position unknown</source>
+            <translation>posição desconhecida</translation>
+        </message>
+        <message>
+            <source>press Enter alone to go on or s to stop; x10 y-5 z0.1 jogs (f100: that fast), zero z touches off; overrides: {overrides}</source>
+            <translation>tecle só Enter para continuar ou s para parar; x10 y-5 z0.1 move à mão (f100: a essa velocidade), zero z define o zero ali; ajustes: {overrides}</translation>
         </message>
         <message>
             <source>proving {name}</source>
@@ -15834,8 +16028,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>relatando</translation>
         </message>
         <message>
+            <source>reports in inches ($13=1)</source>
+            <translation>informa em polegadas ($13=1)</translation>
+        </message>
+        <message>
             <source>required</source>
             <translation>obrigatório</translation>
+        </message>
+        <message>
+            <source>shipped</source>
+            <translation>do programa</translation>
         </message>
         <message>
             <source>slicing</source>
@@ -15846,6 +16048,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>quadrado de {side:g} mm a {feed:g} mm/min: feito</translation>
         </message>
         <message>
+            <source>start one with cncstepper send</source>
+            <translation>comece um com cncstepper send</translation>
+        </message>
+        <message>
             <source>stepping {name}</source>
             <translation>calculando os passos de {name}</translation>
         </message>
@@ -15854,12 +16060,28 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>leva {time_s:.1f} s</translation>
         </message>
         <message>
+            <source>that was not done: the job has gone on meanwhile</source>
+            <translation>isso não foi feito: o trabalho continuou nesse meio-tempo</translation>
+        </message>
+        <message>
             <source>the angle between X and Y is {angle_deg:.4f}°: {deviation_deg:+.4f}°, {skew_mm_m:.3f} mm over a metre</source>
             <translation>o ângulo entre X e Y é {angle_deg:.4f}°: {deviation_deg:+.4f}°, {skew_mm_m:.3f} mm em um metro</translation>
         </message>
         <message>
             <source>the chart has no row of {process}</source>
             <translation>a tabela não tem linha de {process}</translation>
+        </message>
+        <message>
+            <source>the connection to {port} stays open for {keep_min:g} min; `cncstepper disconnect` closes it</source>
+            <translation>a conexão com {port} fica aberta por {keep_min:g} min; `cncstepper disconnect` a fecha</translation>
+        </message>
+        <message>
+            <source>the controller does not tell its overrides</source>
+            <translation>o controlador não informa os seus ajustes</translation>
+        </message>
+        <message>
+            <source>the desk has ended</source>
+            <translation>a conexão da janela terminou</translation>
         </message>
         <message>
             <source>the file is written anew, in our own layout: its comments are not in it</source>
@@ -15886,12 +16108,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o trabalho está dividido em {parts} programas: diga com --part qual deles é este</translation>
         </message>
         <message>
+            <source>the lathe's program has no entry in its middle: switch the lathe off and on, set its zero by hand, then send the program from its beginning</source>
+            <translation>o programa do torno não tem entrada no meio: desligue e ligue o torno, defina o zero à mão e envie o programa desde o começo</translation>
+        </message>
+        <message>
             <source>the machine is not homed: {state}</source>
             <translation>a máquina não está referenciada: {state}</translation>
         </message>
         <message>
+            <source>the machine, which the job was sent without</source>
+            <translation>a máquina, sem a qual o trabalho foi enviado</translation>
+        </message>
+        <message>
             <source>the profile does not say what drives {axis}: add [axis.{axis}.drive] to it</source>
             <translation>o perfil não diz o que aciona {axis}: acrescente [axis.{axis}.drive] a ele</translation>
+        </message>
+        <message>
+            <source>the profile of {machine}: put its file in place of {name}</source>
+            <translation>o perfil de {machine}: ponha o arquivo dele no lugar de {name}</translation>
         </message>
         <message>
             <source>the profile says what drives the axis: leave the drive's options out</source>
@@ -15900,6 +16134,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the program pauses: {why}</source>
             <translation>o programa pausa: {why}</translation>
+        </message>
+        <message>
+            <source>the stock and its tool, so nobody sees whether a rapid meets material: give --stock and --tool, or --job, in place of {option}</source>
+            <translation>o material e a ferramenta, e ninguém vê se um movimento rápido encontra material: dê --stock e --tool, ou --job, no lugar de {option}</translation>
+        </message>
+        <message>
+            <source>there is no override '{words}'; there are: {known}</source>
+            <translation>não há o ajuste '{words}'; há: {known}</translation>
         </message>
         <message>
             <source>these options belong to --turn, not to --tool</source>
@@ -15938,8 +16180,28 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o que move o eixo? dê --screw MM, ou --belt MM e --teeth N, ou --machine e --axis</translation>
         </message>
         <message>
+            <source>write these {count} settings to {port}?</source>
+            <translation>escrever estas {count} configurações em {port}?</translation>
+        </message>
+        <message>
+            <source>write {key}={value:g} into {profile}?</source>
+            <translation>escrever {key}={value:g} em {profile}?</translation>
+        </message>
+        <message>
+            <source>write {setting} to the controller too? its position is unknown afterwards</source>
+            <translation>escrever {setting} também no controlador? a sua posição fica desconhecida depois</translation>
+        </message>
+        <message>
             <source>writing</source>
             <translation>escrevendo</translation>
+        </message>
+        <message>
+            <source>yours</source>
+            <translation>seu</translation>
+        </message>
+        <message>
+            <source>yours, instead of the shipped one</source>
+            <translation>seu, no lugar do que vem com o programa</translation>
         </message>
         <message>
             <source>{acknowledged} of {total} lines acknowledged in {elapsed_s:.1f} s</source>
@@ -15970,8 +16232,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{certificate}: escrito</translation>
         </message>
         <message>
+            <source>{changes} lines changed</source>
+            <translation>{changes} linhas mudaram</translation>
+        </message>
+        <message>
             <source>{copied_from} ships with the program and stays as it is; your copy takes its place</source>
             <translation>{copied_from} é fornecido com o programa e fica como está; a sua cópia toma o lugar dele</translation>
+        </message>
+        <message>
+            <source>{count} bytes of receive buffer</source>
+            <translation>{count} bytes de buffer de recepção</translation>
         </message>
         <message>
             <source>{count} jobs run</source>
@@ -16002,6 +16272,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{name} não tem processo com tabela de corte: tem {processes}</translation>
         </message>
         <message>
+            <source>{name} is not as it was, or not there: {copy} is what the job was sent with</source>
+            <translation>{name} não está como era, ou não existe: {copy} é aquele com que o trabalho foi enviado</translation>
+        </message>
+        <message>
+            <source>{name} is not there any more: the restart is made with it, bring it back</source>
+            <translation>{name} não existe mais: a retomada é feita com ele, traga-o de volta</translation>
+        </message>
+        <message>
+            <source>{name} was changed since: see that it still says what was cut</source>
+            <translation>{name} foi alterado desde então: veja se ainda diz o que foi cortado</translation>
+        </message>
+        <message>
             <source>{name} {filename!r} does not exist.</source>
             <translation>{name} {filename!r} não existe.</translation>
         </message>
@@ -16022,12 +16304,28 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{name} {filename!r} não pode ser escrito.</translation>
         </message>
         <message>
-            <source>{name}: off</source>
+            <source>{name}: switched off</source>
             <translation>{name}: desligado</translation>
+        </message>
+        <message>
+            <source>{name}: switched on</source>
+            <translation>{name}: ligado</translation>
         </message>
         <message>
             <source>{name}: tool {tool}, {lines} lines</source>
             <translation>{name}: ferramenta {tool}, {lines} linhas</translation>
+        </message>
+        <message>
+            <source>{number} of {repeats}: measured length in mm</source>
+            <translation>{number} de {repeats}: comprimento medido em mm</translation>
+        </message>
+        <message>
+            <source>{number} of {repeats}: set the scale to zero, then press a key</source>
+            <translation>{number} de {repeats}: zere a escala e depois pressione uma tecla</translation>
+        </message>
+        <message>
+            <source>{number} of {repeats}: the dial, come from {side}, in mm</source>
+            <translation>{number} de {repeats}: o relógio comparador, vindo de {side}, em mm</translation>
         </message>
         <message>
             <source>{out}: kerf {kerf_mm:g} mm, outside {side_mm:g} mm, inside {side_mm2:g} mm</source>
@@ -16142,6 +16440,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{pulses} pulsos em {plan:.1f} s, daqui a {ends} mm</translation>
         </message>
         <message>
+            <source>{read}: not written; add --out FILE or --in-place</source>
+            <translation>{read}: não escrito; acrescente --out ARQUIVO ou --in-place</translation>
+        </message>
+        <message>
             <source>{rows} of {all_rows} settings differ</source>
             <translation>{rows} de {all_rows} configurações diferem</translation>
         </message>
@@ -16160,6 +16462,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{status}   ~ goes on, stop ends it</source>
             <translation>{status}   ~ continua, stop encerra</translation>
+        </message>
+        <message>
+            <source>{target}: written</source>
+            <translation>{target}: escrito</translation>
         </message>
         <message>
             <source>{text} (Ctrl+C stops it)</source>
@@ -16213,9 +16519,41 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <source>{what}, which is read</source>
             <translation>{what}, que é lido</translation>
         </message>
+        <message>
+            <source>{why} (Enter ends the console)</source>
+            <translation>{why} (Enter encerra o console)</translation>
+        </message>
+        <message>
+            <source>{why}. Enter goes on, s stops{jogs}, ? says more{back}</source>
+            <translation>{why}. Enter continua, s para{jogs}, ? diz mais{back}</translation>
+        </message>
+        <message>
+            <source>{why}. Its start button goes on, Ctrl-C asks here</source>
+            <translation>{why}. O botão de partida continua, Ctrl-C pergunta aqui</translation>
+        </message>
+        <message>
+            <source>{why}. Nobody can answer here, so the machine waits. In any terminal `{go}` goes on, `cncstepper back` goes back, `cncstepper stop` stops; so does Ctrl-C here</source>
+            <translation>{why}. Ninguém pode responder aqui, por isso a máquina espera. Em qualquer terminal `{go}` continua, `cncstepper back` volta, `cncstepper stop` para; aqui Ctrl-C também</translation>
+        </message>
     </context>
     <context>
         <name>CNCStepper core</name>
+        <message>
+            <source> above {least:g}</source>
+            <translation> acima de {least:g}</translation>
+        </message>
+        <message>
+            <source> below {most:g}</source>
+            <translation> abaixo de {most:g}</translation>
+        </message>
+        <message>
+            <source> of at least {least:g}</source>
+            <translation> de no mínimo {least:g}</translation>
+        </message>
+        <message>
+            <source> of at most {most:g}</source>
+            <translation> de no máximo {most:g}</translation>
+        </message>
         <message>
             <source>! is a command to the controller (feed hold), not part of a program</source>
             <translation>! é um comando para o controlador (parar o avanço), não faz parte de um programa</translation>
@@ -16439,6 +16777,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>/ (block delete) may stand only at the beginning of a line</source>
             <translation>/ (bloco opcional) só pode ficar no início de uma linha</translation>
+        </message>
+        <message>
+            <source>0 or 1</source>
+            <translation>0 ou 1</translation>
         </message>
         <message>
             <source>0 to {most}, or -1</source>
@@ -16833,8 +17175,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>Flanges e chapas</translation>
         </message>
         <message>
+            <source>FluidNC follows the exact path always: leave the word out or write G61</source>
+            <translation>o FluidNC sempre segue o percurso exato: omita a palavra ou escreva G61</translation>
+        </message>
+        <message>
+            <source>FluidNC has G54 to G59</source>
+            <translation>o FluidNC tem G54 a G59</translation>
+        </message>
+        <message>
+            <source>FluidNC has no canned cycles: write the holes as plain moves</source>
+            <translation>o FluidNC não tem ciclos fixos: escreva os furos como movimentos simples</translation>
+        </message>
+        <message>
             <source>FluidNC keeps its settings in its configuration file, not by $ numbers</source>
             <translation>o FluidNC guarda os ajustes no seu arquivo de configuração, não por números $</translation>
+        </message>
+        <message>
+            <source>FluidNC moves X, Y and Z only</source>
+            <translation>o FluidNC só move X, Y e Z</translation>
         </message>
         <message>
             <source>FreeCAD has no stock of a height field</source>
@@ -17857,6 +18215,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>uma linha com G80 não aceita palavras de eixo, nem as de G43.1</translation>
         </message>
         <message>
+            <source>a list</source>
+            <translation>uma lista</translation>
+        </message>
+        <message>
             <source>a list has no entry {0}</source>
             <translation>uma lista não tem o item {0}</translation>
         </message>
@@ -17923,6 +18285,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a move would end outside the travel (soft limit)</source>
             <translation>um movimento terminaria fora do curso (limite de software)</translation>
+        </message>
+        <message>
+            <source>a number</source>
+            <translation>um número</translation>
         </message>
         <message>
             <source>a number beyond {most:g}: {text}</source>
@@ -18281,6 +18647,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um modelo não tem a chave '{key}'</translation>
         </message>
         <message>
+            <source>a text</source>
+            <translation>um texto</translation>
+        </message>
+        <message>
             <source>a text is too long</source>
             <translation>um texto é longo demais</translation>
         </message>
@@ -18375,6 +18745,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>a turret in front of the axis takes the same program; to move the path use offset</source>
             <translation>um porta-ferramentas à frente do eixo usa o mesmo programa; para deslocar o percurso use offset</translation>
+        </message>
+        <message>
+            <source>a value</source>
+            <translation>um valor</translation>
         </message>
         <message>
             <source>a value in the expression does not fit its operation</source>
@@ -18885,10 +19259,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>ao menos {z_mm:g} mm</translation>
         </message>
         <message>
-            <source>at most</source>
-            <translation>no máximo</translation>
-        </message>
-        <message>
             <source>at most {0} deg</source>
             <translation>no máximo {0} graus</translation>
         </message>
@@ -19026,7 +19396,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>begin a new lathe job with it</source>
-            <translation>inicie um novo trabalho de torno com ele</translation>
+            <translation>comece um novo trabalho de torno com ele</translation>
         </message>
         <message>
             <source>begin beside the sheet and enter at its edge</source>
@@ -21093,6 +21463,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>na operação {span}</translation>
         </message>
         <message>
+            <source>in {table} </source>
+            <translation>em {table} </translation>
+        </message>
+        <message>
             <source>incremental coordinates became absolute</source>
             <translation>coordenadas incrementais viraram absolutas</translation>
         </message>
@@ -21159,6 +21533,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>inverted step pins</source>
             <translation>pinos de passo invertidos</translation>
+        </message>
+        <message>
+            <source>is missing</source>
+            <translation>falta</translation>
+        </message>
+        <message>
+            <source>is no key that is known</source>
+            <translation>não é uma chave conhecida</translation>
+        </message>
+        <message>
+            <source>is not written as it must be</source>
+            <translation>não está escrito como deve</translation>
         </message>
         <message>
             <source>is read as a line of its own, in a whole program, where the dialect has subroutines</source>
@@ -22481,8 +22867,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>movimentos de A B C U V W são lidos, mas não podem ser provados, simulados ou cronometrados</translation>
         </message>
         <message>
+            <source>must be a finite number</source>
+            <translation>deve ser um número finito</translation>
+        </message>
+        <message>
             <source>must be a list</source>
             <translation>deve ser uma lista</translation>
+        </message>
+        <message>
+            <source>must be a number</source>
+            <translation>deve ser um número</translation>
         </message>
         <message>
             <source>must be a table</source>
@@ -22493,12 +22887,56 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>deve ser um texto entre aspas</translation>
         </message>
         <message>
+            <source>must be a whole number</source>
+            <translation>deve ser um número inteiro</translation>
+        </message>
+        <message>
+            <source>must be above {limit:g}</source>
+            <translation>deve estar acima de {limit:g}</translation>
+        </message>
+        <message>
+            <source>must be at least {limit:g}</source>
+            <translation>deve ser no mínimo {limit:g}</translation>
+        </message>
+        <message>
+            <source>must be at most {limit:g}</source>
+            <translation>deve ser no máximo {limit:g}</translation>
+        </message>
+        <message>
+            <source>must be below {limit:g}</source>
+            <translation>deve estar abaixo de {limit:g}</translation>
+        </message>
+        <message>
+            <source>must be left out</source>
+            <translation>deve ser omitido</translation>
+        </message>
+        <message>
             <source>must be true or false</source>
             <translation>deve ser true ou false</translation>
         </message>
         <message>
+            <source>must be {choices}</source>
+            <translation>deve ser {choices}</translation>
+        </message>
+        <message>
             <source>must be {number} from {words}</source>
             <translation>deve ser {number} de {words}</translation>
+        </message>
+        <message>
+            <source>must have at least {least} characters</source>
+            <translation>deve ter no mínimo {least} caracteres</translation>
+        </message>
+        <message>
+            <source>must have at least {least} values</source>
+            <translation>deve ter no mínimo {least} valores</translation>
+        </message>
+        <message>
+            <source>must have at most {most} characters</source>
+            <translation>deve ter no máximo {most} caracteres</translation>
+        </message>
+        <message>
+            <source>must have at most {most} values</source>
+            <translation>deve ter no máximo {most} valores</translation>
         </message>
         <message>
             <source>name X and Y in a rapid above the stock first</source>
@@ -28330,7 +28768,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>this is the template of a lathe, which takes no drawings</source>
-            <translation>este é o modelo de um torno, que não usa desenhos</translation>
+            <translation>este é o modelo de um torno, que não aceita desenhos</translation>
         </message>
         <message>
             <source>this is {kind}, not a file</source>
@@ -30553,6 +30991,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{link} não envia fins de linha</translation>
         </message>
         <message>
+            <source>{low:.10g} to {high:.10g}{unit}</source>
+            <translation>{low:.10g} a {high:.10g}{unit}</translation>
+        </message>
+        <message>
             <source>{machine} accepts no pulse letters</source>
             <translation>{machine} não aceita letras de pulso</translation>
         </message>
@@ -30833,6 +31275,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{number:.0f} pulsos/s, o pior com {worst_us:.0f} µs de atraso</translation>
         </message>
         <message>
+            <source>{number} from {words}</source>
+            <translation>{number} de {words}</translation>
+        </message>
+        <message>
             <source>{obj} follows one drawing</source>
             <translation>{obj} segue um só desenho</translation>
         </message>
@@ -30861,12 +31307,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{obj} não se corta por {process}</translation>
         </message>
         <message>
+            <source>{one} and {other}</source>
+            <translation>{one} e {other}</translation>
+        </message>
+        <message>
             <source>{one} and {other} cut into each other</source>
             <translation>{one} e {other} cortam um ao outro</translation>
         </message>
         <message>
             <source>{one} cuts into a piece that {other} has set free: nothing holds it</source>
             <translation>{one} corta uma peça que {other} já soltou: nada a segura</translation>
+        </message>
+        <message>
+            <source>{one} or {other}</source>
+            <translation>{one} ou {other}</translation>
         </message>
         <message>
             <source>{option} and {other} would write the same file</source>
@@ -30899,6 +31353,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{parts} parts on {sheets:.4g} sheets, {metres:.1f} m cut, {pierces:.0f} pierces, {hours:.2f} hours of the machine</source>
             <translation>{parts} peças em {sheets:.4g} chapas, {metres:.1f} m de corte, {pierces:.0f} perfurações, {hours:.2f} horas da máquina</translation>
+        </message>
+        <message>
+            <source>{part} of {whole}</source>
+            <translation>{part} de {whole}</translation>
         </message>
         <message>
             <source>{path} cannot be read: {error}</source>
@@ -31143,6 +31601,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{width} by {height}</source>
             <translation>{width} por {height}</translation>
+        </message>
+        <message>
+            <source>{words}, or 0</source>
+            <translation>{words}, ou 0</translation>
         </message>
         <message>
             <source>{word} by the button on {button}</source>

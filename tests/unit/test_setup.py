@@ -52,6 +52,15 @@ def test_a_user_without_rights_is_told_the_command(machine: Path) -> None:
     assert "was called" not in result.stdout
 
 
+def test_the_environment_of_another_checkout_is_not_emptied(machine: Path, tmp_path: Path) -> None:
+    other = tmp_path / "other"
+    other.mkdir()
+    (other / "kept").touch()
+    (machine / ".venv").symlink_to(other)
+    assert run(machine, "python").returncode == 0
+    assert (other / "kept").exists() and (machine / ".venv").is_symlink()
+
+
 def test_the_matrix_needs_all_that_and_what_makes_the_other_freecads(machine: Path) -> None:
     stub(machine.parent / "bin", "apt-get", "exit 1")
     told = run(machine, "matrix").stderr

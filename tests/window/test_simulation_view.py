@@ -14,6 +14,7 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
+from PySide import QtCore
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.document import program_file
@@ -30,6 +31,7 @@ from window_helpers.hand import Hand
 
 PROVEN_S = 180  # where nothing is compiled yet and the processors are busy
 AT_ONCE_MS = 50
+SIMULATIONS = int(os.environ.get("CNCSTEPPER_SIMULATIONS", "15"))  # of which memory must not grow
 PART_S = 0.5  # of processor, from the click to the part in its process
 
 
@@ -390,6 +392,40 @@ def test_it_leaves_nothing_behind(hand: Hand, job: Any) -> None:
         assert hand.main(scenes) == 0
     assert {obj.Name: hand.main(lambda obj=obj: obj.ViewObject.Visibility) for obj in document.Objects} == before
     assert hand.main(camera_set) == camera
+
+
+class Simulations:
+    """Opens and closes the simulation by a timer: what pytest's thread holds would be kept until its test ends."""
+
+    def __init__(self, job: Any, times: int):
+        self.left, self._job, self._task = times, job, None
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._next)
+        self._timer.start(20)
+
+    def _next(self) -> None:
+        if self._task is None and self.left:
+            self._task = open_simulation(self._job, no_restart)
+        elif self._task is None:
+            self._timer.stop()
+        elif self._task._result is not None and not self._task._loader.isActive():
+            FreeCADGui.Control.closeDialog()
+            self._task = None
+            self.left -= 1
+
+
+def test_memory_stays_flat_over_simulations(hand: Hand, job: Any) -> None:
+    def simulate(times: int) -> None:
+        running = hand.main(Simulations, job, times)
+        hand.wait(lambda: not running.left, PROVEN_S + 10 * times, "all simulations")
+        hand.settle()
+
+    simulate(5)
+    before_mb = hand.memory_mb()
+    simulate(SIMULATIONS)
+    grown_mb = hand.memory_mb() - before_mb
+    print(f"{SIMULATIONS} simulations leave {grown_mb:.1f} MB")
+    assert grown_mb < 10
 
 
 def test_the_part_is_in_the_view_before_the_answer(hand: Hand, job: Any) -> None:

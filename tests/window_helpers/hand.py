@@ -60,6 +60,7 @@ class Hand:
         server = x_input.connect()
         self.mouse, self.keyboard = x_input.Mouse(server), x_input.Keyboard(server)
         self.touches = Touches()
+        self.typed = 0  # texts that were typed
         self._allowed: list[str] = []
         self._clicked: tuple[Point, float] = ((-1.0, -1.0), 0.0)  # the last place, and when
 
@@ -136,6 +137,11 @@ class Hand:
         return str(self.main(places.describe)) + "\nthe interface thread is in\n" + interface_stack()
 
     # ---- mouse ----
+
+    @property
+    def clicks(self) -> int:
+        """How often a mouse button was pressed so far, by whatever of this class; a double click counts twice."""
+        return self.mouse.presses
 
     def click(
         self,
@@ -370,6 +376,7 @@ class Hand:
         """
         self.wait(places.has_keyboard, APPEARS_S, "the keyboard's focus")
         self.main(self.touches.note_typing)
+        self.typed += 1
         self.keyboard.learn(text)
         self.settle()
         for letter in text:

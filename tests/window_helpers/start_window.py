@@ -59,7 +59,7 @@ USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
     <FCBool Name="ShowOnStartup" Value="0"/>
     <FCBool Name="FirstStart2024" Value="0"/>
   </FCParamGroup><FCParamGroup Name="CNCStepper"><FCParamGroup Name="FirstSteps">
-    <FCBool Name="Closed" Value="1"/>
+    <FCBool Name="Closed" Value="{knows_first_steps}"/>
   </FCParamGroup></FCParamGroup></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
@@ -105,16 +105,27 @@ def freecad_command(version: str) -> list[str]:
 
 
 def make_home(
-    home: Path, language: str = "English", autoload: str = "CNCStepperWorkbench", style_sheet: str = ""
+    home: Path,
+    language: str = "English",
+    autoload: str = "CNCStepperWorkbench",
+    style_sheet: str = "",
+    knows_first_steps: bool = True,
 ) -> None:
     """Make a user's folder with which FreeCAD opens that workbench and asks nothing at its first start.
 
-    style_sheet: the name of one of FreeCAD's own, "" for none.
+    style_sheet: the name of one of FreeCAD's own, "" for none. knows_first_steps: whether the card of the first steps
+    was closed before.
     """
     for kind in XDG_FOLDERS:
         (home / kind.lower()).mkdir(mode=0o700, parents=True, exist_ok=True)
     theme = DARK_THEME.format(style_sheet) if style_sheet else ""
-    settings = USER_CFG.format(language=language, autoload=autoload, as_a_person=int(AS_A_PERSON), theme=theme)
+    settings = USER_CFG.format(
+        language=language,
+        autoload=autoload,
+        as_a_person=int(AS_A_PERSON),
+        theme=theme,
+        knows_first_steps=int(knows_first_steps),
+    )
     (home / "user.cfg").write_text(settings, encoding="utf-8")
 
 

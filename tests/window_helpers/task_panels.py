@@ -23,4 +23,4 @@ def begin(hand: Hand, command: str, selected: str = "") -> None:
 def accept(hand: Hand) -> None:
     """Press the panel's own OK and wait until it is gone."""
     hand.click(f"{PANEL}ok")
-    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 60, "the panel to close")

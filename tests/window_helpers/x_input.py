@@ -109,11 +109,12 @@ def _symbol(letter: str) -> int:
 
 
 class Mouse:
-    """The pointer of the X server; places are pixels of the screen."""
+    """The pointer of the X server; places are pixels of the screen. `presses` counts how often a button was pressed."""
 
     def __init__(self, server: display.Display) -> None:
         self._server = server
         self.held: list[int] = []
+        self.presses = 0
 
     def move(self, x: float, y: float) -> None:
         """Put the pointer somewhere."""
@@ -125,6 +126,7 @@ class Mouse:
         xtest.fake_input(self._server, X.ButtonPress, button)
         self._server.sync()
         self.held.append(button)
+        self.presses += 1
 
     def up(self, button: int = LEFT) -> None:
         """Release a button."""

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import FilePath, NumberType
 from CNCStepper.errors import Text
 from CNCStepper.machine.processes import PROCESSES
@@ -56,7 +57,7 @@ class ChartOptions:
         if machine is None or not self.material or self.thickness is None:
             raise click.UsageError(Text("--material, --thickness and --machine (or --job) go together"))
         row = self._row(machine)
-        click.echo(told(row))
+        show_text(told(row))
         return machine.language(dialect or "", row.feed_mm_min)
 
     def row(self, machine: Machine | None) -> CutData | None:
@@ -86,10 +87,10 @@ class ChartOptions:
         return cut_data_for(process.name, self.material, self.thickness, self.consumable, chart)
 
 
-def told(row: CutData) -> str:
+def told(row: CutData) -> Text:
     """Return in words which feed a program without F takes, and from which row."""
     whose = f"{row.process}, {row.material} {row.thickness_mm:g} mm" + f", {row.consumable}" * bool(row.consumable)
-    return f"a program without F takes {row.feed_mm_min:g} mm/min ({whose})"
+    return Text("a program without F takes {feed:g} mm/min ({whose})", feed=row.feed_mm_min, whose=whose)
 
 
 def chart_options(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -7,6 +7,8 @@ from typing import Any
 
 import click
 
+from CNCStepper.cli.common.language import show_text
+
 KEEP_MIN = 10.0
 LONGEST_MIN = 24 * 60.0
 VARIABLE = "CNCSTEPPER_KEEP_OPEN"
@@ -32,5 +34,9 @@ def keep_option(function: Any) -> Any:
 def tell_kept(port: str, keep_min: float) -> None:
     """Print that the connection stays open, and how to close it."""
     if keep_min:
-        told = f"the connection to {port} stays open for {keep_min:g} min; `cncstepper disconnect` closes it"
-        click.echo(told, err=True)
+        show_text(
+            "the connection to {port} stays open for {keep_min:g} min; `cncstepper disconnect` closes it",
+            err=True,
+            port=port,
+            keep_min=keep_min,
+        )

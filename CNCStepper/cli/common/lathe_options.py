@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.options import MOST, Named, NumberType
 from CNCStepper.cli.common.program_options import ProgramOptions
 from CNCStepper.cli.job_file import is_turning_file
@@ -27,9 +28,9 @@ if TYPE_CHECKING:
 
 HEAD_CHARACTERS = 65_536  # of a program, in which G7 is looked for
 X_WORDS = {
-    "diameter": "X is a diameter",
-    "radius": "X is a radius",
-    "both": "X is a diameter in some lines and a radius in others; findings give radii",
+    "diameter": Text("X is a diameter"),
+    "radius": Text("X is a radius"),
+    "both": Text("X is a diameter in some lines and a radius in others; findings give radii"),
 }
 
 
@@ -159,7 +160,7 @@ def show_x(program: Path, text: str, dialect: str, machine: Machine | None, err:
 
     is_lathe = machine is not None and "y" not in machine.own_axes
     if is_lathe or is_lathe_program(text, dialect):
-        click.echo(f"{program}: {X_WORDS[x_is(text, dialect)]}", err=err)
+        show_text("{program}: {words}", err=err, program=program, words=X_WORDS[x_is(text, dialect)])
 
 
 def show_x_of_file(program: Path, dialect: str, machine: Machine | None, err: bool = False) -> None:

@@ -119,12 +119,23 @@ def editing_options(function: Callable[..., Edited]) -> Callable[..., None]:
         show(edited, opened.path, diff, target is None)
         if target:
             save(target, opened.form.encoded(edited.text))
-        lines = "line" if edited.changes == 1 else "lines"
-        words = f"{edited.changes} {lines} changed" if edited.changes else "nothing changed"
-        where = f"{target}: written" if target else f"{opened.path}: not written; add --out FILE or --in-place"
-        click.echo(f"{where}; {words}", err=target is None)
+        show_text("{where}; {changed}", err=target is None, where=_where(target, opened.path), changed=_changed(edited))
 
     return reading_options(command)
+
+
+def _where(target: Path | None, read: Path) -> Text:
+    """Return in words where the new program was written."""
+    if target:
+        return Text("{target}: written", target=target)
+    return Text("{read}: not written; add --out FILE or --in-place", read=read)
+
+
+def _changed(edited: Edited) -> Text:
+    """Return in words how much an edit changed."""
+    if edited.changes == 1:
+        return Text("1 line changed")
+    return Text("{changes} lines changed", changes=edited.changes) if edited.changes else Text("nothing changed")
 
 
 def show(edited: Edited, path: Path, asked: bool | None, unsaved: bool) -> None:

@@ -11,6 +11,7 @@ import time
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.job.running_job import follow, session_file, session_option
 from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
 from CNCStepper.errors import Text
@@ -39,7 +40,7 @@ def read_override(text: str) -> dict[str, str] | None:
         return None
     kind, step = found.groups()
     if step not in STEPS[kind]:
-        raise ValueError(f"there is no override '{words}'; there are: {HELP}")
+        raise ValueError(Text("there is no override '{words}'; there are: {known}", words=words, known=HELP))
     return {"kind": kind, "step": STEPS[kind][step]}
 
 
@@ -76,7 +77,7 @@ def command(what: tuple[str, ...], session: str | None) -> None:
             lambda now: overrides_in_words(now) != before or time.monotonic() > end_s,
             "override",
         )
-    click.echo(overrides_in_words(shown) or "the controller does not tell its overrides")
+    show_text(overrides_in_words(shown) or Text("the controller does not tell its overrides"))
 
 
 def _values(text: str) -> dict[str, str]:

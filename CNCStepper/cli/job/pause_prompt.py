@@ -22,6 +22,7 @@ from typing import Any
 
 import click
 
+from CNCStepper.cli.common.language import translated
 from CNCStepper.cli.job.override import HELP as OVERRIDES
 from CNCStepper.cli.job.override import read_override
 from CNCStepper.cli.job.status_text import overrides_in_words
@@ -35,31 +36,37 @@ from CNCStepper.word_pattern import words_beside
 
 def why(status: SenderStatus) -> str:
     """Return the reason of the pause."""
-    return status.message or ("The program pauses" if status.phase == Phase.PAUSED else "The machine holds")
+    return status.message or (Text("The program pauses") if status.phase == Phase.PAUSED else Text("The machine holds"))
 
 
-def question(status: SenderStatus) -> str:
+def question(status: SenderStatus) -> Text:
     """Return the question about a pause: its reason and the possible answers."""
-    touches = ", zero z touches off" if status.phase == Phase.PAUSED else ""
-    jogs = f", z-0.1 jogs{touches} ({_work_place(status)})" if status.machine_state in ("Idle", "Tool") else ""
-    back = "; `cncstepper back` goes back" if status.phase != "door" and status.machine_state != "Tool" else ""
-    return f"{why(status)}. Enter goes on, s stops{jogs}, ? says more{back}"
-
-
-def unasked(status: SenderStatus) -> str:
-    """Return the sentence about a pause where standard input has ended and is no terminal."""
-    go = "cncstepper go --pause" if status.phase == Phase.PAUSED else "cncstepper go"
-    return (
-        f"{why(status)}. Nobody can answer here, so the machine waits. In any terminal `{go}` goes on, "
-        "`cncstepper back` goes back, `cncstepper stop` stops; so does Ctrl-C here"
+    touches = Text(", zero z touches off") if status.phase == Phase.PAUSED else ""
+    jogs: str = Text(", z-0.1 jogs{touches} ({place})", touches=touches, place=_work_place(status))
+    return Text(
+        "{why}. Enter goes on, s stops{jogs}, ? says more{back}",
+        why=why(status),
+        jogs=jogs if status.machine_state in ("Idle", "Tool") else "",
+        back=Text("; `cncstepper back` goes back") if status.phase != "door" and status.machine_state != "Tool" else "",
     )
 
 
-def reminder(status: SenderStatus, waits: bool) -> str:
+def unasked(status: SenderStatus) -> Text:
+    """Return the sentence about a pause where standard input has ended and is no terminal."""
+    go = "cncstepper go --pause" if status.phase == Phase.PAUSED else "cncstepper go"
+    return Text(
+        "{why}. Nobody can answer here, so the machine waits. In any terminal `{go}` goes on, "
+        "`cncstepper back` goes back, `cncstepper stop` stops; so does Ctrl-C here",
+        why=why(status),
+        go=go,
+    )
+
+
+def reminder(status: SenderStatus, waits: bool) -> Text:
     """Return the sentence for an open question whose pause is over; waits: somebody is asked again."""
     if waits:
-        return f"Meanwhile: {why(status)}. Press Enter to be asked about that"
-    return f"Meanwhile the job has gone on ({status.phase}). Press Enter to see it"
+        return Text("Meanwhile: {why}. Press Enter to be asked about that", why=why(status))
+    return Text("Meanwhile the job has gone on ({phase}). Press Enter to see it", phase=status.phase)
 
 
 def _work_place(status: SenderStatus) -> str:
@@ -73,9 +80,10 @@ STOP: PendingRequests = [("stop", {})]
 STOP_WORDS = ("s", "stop", "q", "quit", "n", "no")
 JOG_FEED_MM_MIN = 500.0
 LONGEST_MM = 1000.0
-HELP = (
+HELP = Text(
     "press Enter alone to go on or s to stop; x10 y-5 z0.1 jogs (f100: that fast), zero z touches off; "
-    f"overrides: {OVERRIDES}"
+    "overrides: {overrides}",
+    overrides=OVERRIDES,
 )
 JOG_LETTERS = "XYZF"
 _ZERO = re.compile(r"zero ([xyz]{1,3})")
@@ -108,9 +116,10 @@ def _way(words: str, text: str) -> dict[str, float]:
     found, other = words_beside(words)
     values = {letter: float(number) for letter, number in found}
     if other or len(values) < len(found) or set(values) - set(JOG_LETTERS) or not set(values) - {"F"}:
-        raise ValueError(f"'{text}' is no answer: {HELP}")
+        raise ValueError(Text("'{text}' is no answer: {help}", text=text, help=HELP))
     if any(abs(value) > LONGEST_MM for letter, value in values.items() if letter != "F") or values.get("F", 1) <= 0:
-        raise ValueError(f"'{text}' is no jog: at most {LONGEST_MM:g} mm, with a feed above 0")
+        what = Text("'{text}' is no jog: at most {most_mm:g} mm, with a feed above 0", text=text, most_mm=LONGEST_MM)
+        raise ValueError(what)
     way = {f"{axis.lower()}_mm": values.get(axis, 0.0) for axis in "XYZ"}
     return way | {"feed_mm_min": values.get("F", JOG_FEED_MM_MIN)}
 
@@ -167,7 +176,7 @@ class SessionListener:
         except CNCStepperError as error:
             self._error = error
         if self._error or self._client.outcome:
-            self._tell("\nThe job has ended. Press Enter to see how")
+            self._tell(Text("\nThe job has ended. Press Enter to see how"))
 
     def _take(self, event: dict[str, Any]) -> None:
         if event["event"] != "status":
@@ -177,11 +186,11 @@ class SessionListener:
         stand = (status.stand, status.phase in WAITING)
         if stand != self._told:
             self._told = stand
-            self._tell(f"\n{reminder(status, stand[1])}")
+            self._tell(Text("\n{words}", words=reminder(status, stand[1])))
 
 
 TOUCHED_S = 0.5  # until a jog, a new zero or an override shows at the latest
-OVER = "That was not done: it answered to a stand that is over"
+OVER = Text("That was not done: it answered to a stand that is over")
 
 
 class PausePrompt:
@@ -206,7 +215,7 @@ class PausePrompt:
         while status.phase in WAITING and self._client.outcome is None:
             asked, requests = status, self._answer(status)
             if not self.is_there:
-                self._tell(f"\n{unasked(asked)}")
+                self._tell(Text("\n{words}", words=unasked(asked)))
                 break
             status = self._look(asked)
             if requests != STOP and (status.stand != asked.stand or status.phase not in WAITING):
@@ -225,7 +234,8 @@ class PausePrompt:
             return []
         try:
             with SessionListener(self._client, status, self._on_message, self._tell):
-                return click.prompt(question(status), default="", show_default=False, err=True, type=Answer())
+                asked = translated(question(status))
+                return click.prompt(asked, default="", show_default=False, err=True, type=Answer())
         except click.Abort as abort:
             self.is_there = sys.stdin.isatty() or not isinstance(abort.__context__, EOFError)
             return STOP if self.is_there else []

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.control.session.status import SenderStatus
-from CNCStepper.errors import JobError, Text
+from CNCStepper.errors import JobError, Text, joined
 
 if TYPE_CHECKING:
     from CNCStepper.control.service.connection_session import ConnectionSession
@@ -46,7 +47,7 @@ def _none_runs(name: str | None) -> JobError:
 
     what = Text("no job '{name}' runs", name=name) if name else "no job runs"
     others = [closed(path).sentence for path in closed_files() if name in (None, path.stem)]
-    return JobError("session-none", what, advice="; ".join(["start one with cncstepper send", *others]))
+    return JobError("session-none", what, advice=joined("; ", [Text("start one with cncstepper send"), *others]))
 
 
 def follow(
@@ -63,5 +64,5 @@ def follow(
             if event["event"] == "status":
                 status = SenderStatus.from_json(event["status"])
             elif event["event"] in ("message", "warning"):
-                click.echo(event["text"], err=True)
+                show_text(event["text"], err=True)
     return client.outcome.status if client.outcome else status

@@ -17,7 +17,7 @@ import click
 
 from CNCStepper.cli.common.chart_options import ChartOptions, chart_options
 from CNCStepper.cli.common.findings_output import show_findings
-from CNCStepper.cli.common.language import show_text
+from CNCStepper.cli.common.language import look_up, show_text
 from CNCStepper.cli.common.options import FilePath, program_argument, read_program
 from CNCStepper.cli.common.program_options import ProgramOptions, program_options
 from CNCStepper.cli.common.send_options import SendOptions, send_options
@@ -415,7 +415,7 @@ def confirmed(job: SendJob, confirmed: bool) -> SendJob:
         show_text(
             "Should the board restart when its port is opened, the tool must stand on the work zero, as it was set."
         )
-        confirmed = click.confirm("Is the work zero set on the stock, and the way free?", default=False)
+        confirmed = click.confirm(look_up("Is the work zero set on the stock, and the way free?"), default=False)
     return replace(job, zero_confirmed=confirmed)
 
 

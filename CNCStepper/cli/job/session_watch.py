@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
-from rich.text import Text
+from rich.text import Text as StyledText
 
 from CNCStepper.cli.common.keep_open import tell_kept
+from CNCStepper.cli.common.language import translated
 from CNCStepper.cli.job.pause_prompt import PausePrompt, why
 from CNCStepper.cli.job.status_text import live
 from CNCStepper.control.program.send_job import SendJob
@@ -19,6 +20,7 @@ from CNCStepper.control.service.service_job import ServiceJob, start_job
 from CNCStepper.control.session.client import SessionClient
 from CNCStepper.control.session.job_phase import LEG_BEGINS, WAITING, Phase
 from CNCStepper.control.session.status import Outcome, SenderStatus
+from CNCStepper.errors import Text
 
 if TYPE_CHECKING:
     from CNCStepper.recovery.retract.retract_client import ButtonClient
@@ -72,7 +74,7 @@ class _Live:
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
         if words := live(self._status, options.max_width):
-            yield Text(words)
+            yield StyledText(words)
 
 
 class _Watch:
@@ -121,7 +123,7 @@ class _Watch:
             self._answered = UNANSWERED
 
     def _tell(self, text: str) -> None:
-        self._progress.console.print(text, markup=False)
+        self._progress.console.print(translated(text), markup=False)
 
     def _stand(self, status: SenderStatus) -> None:
         """Ask once for each pause what to do."""
@@ -131,10 +133,10 @@ class _Watch:
             return
         self._answered = status.stand
         if status.phase == Phase.PAUSED and self._resume_pauses:
-            self._tell(f"pause: {status.message or 'M0'}; going on")
+            self._tell(Text("pause: {message}; going on", message=status.message or "M0"))
             self._client.resume(status.stand)
         elif self._has_start:
-            self._tell(f"{why(status)}. Its start button goes on, Ctrl-C asks here")
+            self._tell(Text("{why}. Its start button goes on, Ctrl-C asks here", why=why(status)))
         else:
             self._ask(status)
 

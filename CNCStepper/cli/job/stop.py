@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import click
 
+from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.running_job import follow, session_file, session_option
 
@@ -28,4 +29,4 @@ def command(session: str | None) -> None:
         client.stop()
         follow(client, before, lambda status: False, "stop")
         if client.outcome:
-            click.echo(client.outcome.text)
+            show_text(client.outcome.text)

@@ -17,7 +17,7 @@ from types import TracebackType
 
 import click
 
-from CNCStepper.cli.common.language import show_text
+from CNCStepper.cli.common.language import show_text, translated
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job.override import read_override
 from CNCStepper.cli.job.status_text import overrides_in_words
@@ -58,16 +58,17 @@ class EchoInput:
             for text in self._heard():
                 self._show(text)
         if self._talk.is_over:
-            self._show(f"{self._talk.client.error or 'the desk has ended'} (Enter ends the console)")
+            why = self._talk.client.error or Text("the desk has ended")
+            self._show(translated(Text("{why} (Enter ends the console)", why=why)))
 
     def _heard(self) -> Iterator[str]:
         """Yield the service's events since the last look, in words."""
-        yield from (event["text"] for event in self._talk.heard() if event["event"] in TOLD_EVENTS)
+        yield from (translated(event["text"]) for event in self._talk.heard() if event["event"] in TOLD_EVENTS)
         status = self._talk.status
         if (status.phase, _reason(status)) != (self._phase, self._reason):
             self._phase, self._reason = status.phase, _reason(status)
             if status.phase in TOLD_PHASES:
-                yield "  ".join(filter(None, (place(status), status.message)))
+                yield "  ".join(filter(None, (place(status), translated(status.message))))
 
     def _show(self, text: str) -> None:
         """Put a line above the one that is typed, and that one below again, as far as it is known."""
@@ -93,7 +94,7 @@ PROMPT = "> "
 STANDING = ("Hold:0", "Idle", "Alarm", "Tool", "Door:0", "Door:1")
 HISTORY_LINES = 1000
 MOST_MM_MIN = 100_000.0
-HELP = """\
+HELP = Text("""\
 ?                      where the machine stands
 !  ~                   hold; go on
 feed +10  rapid 50     overrides in %: also spindle -10, feed 100; flood, mist switch the coolant
@@ -104,7 +105,7 @@ jog X10 Y-2.5 [F1000]  move by that way in mm
 $$ $# $G $I $N         settings, offsets, modes, what it is, start-up lines
 $110=500               change a setting
 G0 X10, M3 S1000 ...   any line that the controller knows, while its position is not unknown
-history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)"""
+history  help  quit    (Ctrl-D quits; Ctrl-C holds a move)""")
 
 
 @click.command("console", cls=Verb)
@@ -144,7 +145,7 @@ class Session:
             "unlock": lambda _: self._type("$X"),
             "zero": lambda words: talk.set_zero(words[0] if words else "XYZ"),
             "jog": self._jog,
-            "help": lambda _: click.echo(HELP),
+            "help": lambda _: show_text(HELP),
         }
 
     def do(self, line: str) -> None:
@@ -235,11 +236,11 @@ def _try(session: Session, line: str) -> None:
     try:
         session.do(line)
     except click.ClickException as error:
-        click.echo(error.format_message())
+        show_text(error.message)
     except CNCStepperError as error:
         if isinstance(error, LinkError):
             raise
-        click.echo(str(error))
+        show_text("{error}", error=error)
 
 
 def _lines(talk: ServiceClient) -> Iterator[str]:

@@ -12,7 +12,7 @@ import click
 
 from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.errors import LinkError
+from CNCStepper.errors import LinkError, Text
 
 if TYPE_CHECKING:
     from CNCStepper.control.service.connection_session import ConnectionSession
@@ -36,7 +36,8 @@ def command(port: str | None) -> None:
     for file in files:
         show_text("{file} is disconnected", file=_disconnect(file))
     if not files:
-        click.echo(f"no connection to {port} is open" if port else "no connection is open", err=True)
+        none = Text("no connection to {port} is open", port=port) if port else Text("no connection is open")
+        show_text(none, err=True)
 
 
 def _disconnect(file: Path) -> str:

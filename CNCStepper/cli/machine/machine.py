@@ -7,10 +7,10 @@ from pathlib import Path
 
 import click
 
-from CNCStepper.cli.common.language import show_text
+from CNCStepper.cli.common.language import show_text, translated
 from CNCStepper.cli.common.path_types import InputPath, OutputPath
 from CNCStepper.cli.common.verb import Verbs
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.machine.files.fcm_files import read_fcm, write_fcm
 from CNCStepper.machine.own_profiles import (
     Written,
@@ -41,8 +41,9 @@ def list_() -> None:
     One of yours that cannot be read is listed with the reason.
     """
     for profile in profiles():
-        whose = "yours, instead of the shipped one" if profile.is_shipped else "yours"
-        click.echo(f"{profile.name} ({whose if profile.is_own else 'shipped'}): {_summary(profile.name)}")
+        own = Text("yours, instead of the shipped one") if profile.is_shipped else Text("yours")
+        whose = own if profile.is_own else Text("shipped")
+        show_text("{name} ({whose}): {summary}", name=profile.name, whose=whose, summary=_summary(profile.name))
 
 
 @command.command("new")
@@ -125,6 +126,6 @@ def _summary(name: str) -> str:
     try:
         machine = load_machine(name)
     except CNCStepperError as error:
-        return str(error)
+        return translated(error.text)
     travel = " x ".join(f"{axis.travel_max_mm - axis.travel_min_mm:g}" for axis in machine.own_axes.values())
     return f"{machine.name}, {machine.controller}, {', '.join(machine.processes)}, {travel} mm"

@@ -11,13 +11,13 @@ from typing import Any
 
 import click
 
-from CNCStepper.cli.common.language import show_text
+from CNCStepper.cli.common.language import look_up, show_text, translated
 from CNCStepper.cli.common.options import NumberType
 from CNCStepper.cli.common.path_types import OutputPath
 from CNCStepper.cli.common.verb import Verbs
 from CNCStepper.cli.machine.machine import say_written
 from CNCStepper.cli.machine.service_client import ServiceClient, ServicePort, port_options
-from CNCStepper.errors import CNCStepperError, MachineRefusal
+from CNCStepper.errors import CNCStepperError, MachineRefusal, Text
 from CNCStepper.machine.axis_tests import (
     USUAL_REPEATS,
     Readings,
@@ -135,11 +135,11 @@ def relays(names: tuple[str, ...], seconds: float, at: ServicePort) -> None:
             outputs = outputs_of(_asked(bench.talk, ASK_MODES))
             try:
                 bench.send(switching(bench.machine, relay.device, True, outputs))
-                click.echo(f"{relay.name}: on")
+                show_text("{name}: switched on", name=relay.name)
                 time.sleep(seconds)
             finally:
                 bench.send(switching(bench.machine, relay.device, False, outputs))
-            show_text("{name}: off", name=relay.name)
+            show_text("{name}: switched off", name=relay.name)
         if not chosen:
             show_text(
                 "this machine has no relay: [[relay]] of the profile names those of a controller that switches some"
@@ -242,9 +242,10 @@ def travel(
         measured = []
         for number in range(1, repeats + 1):
             bench.send(start)
-            click.pause(f"{number} of {repeats}: set the scale to zero, then press a key")
+            turn = {"number": number, "repeats": repeats}
+            click.pause(translated(Text("{number} of {repeats}: set the scale to zero, then press a key", **turn)))
             bench.send(along)
-            measured.append(_asked_length(f"{number} of {repeats}: measured length in mm", length))
+            measured.append(_asked_length(Text("{number} of {repeats}: measured length in mm", **turn), length))
             bench.send(home)
         readings = Readings(tuple(measured))
         _say_travel(axis, length, readings, plot)
@@ -272,10 +273,15 @@ def backlash(axis: str, distance: float, repeats: int, feed: float, yes: bool, a
         below, above = both_sides(axis, distance, feed)
         shown: dict[str, list[float]] = {"below": [], "above": []}
         for number in range(1, repeats + 1):
-            for side, lines in (("below", below), ("above", above)):
+            for side, lines in ((Text("below"), below), (Text("above"), above)):
                 bench.send(lines)
-                shown[side].append(click.prompt(f"{number} of {repeats}: the dial, come from {side}, in mm",
-                                                type=NumberType()))  # fmt: skip
+                asked = Text(
+                    "{number} of {repeats}: the dial, come from {side}, in mm",
+                    number=number,
+                    repeats=repeats,
+                    side=side,
+                )
+                shown[side].append(click.prompt(translated(asked), type=NumberType()))
         from_below, from_above = Readings(tuple(shown["below"])), Readings(tuple(shown["above"]))
         play_mm = backlash_mm(from_below, from_above)
         was_mm = axis_of(bench.machine, axis).backlash_mm
@@ -307,11 +313,15 @@ def squareness(side_x: float, side_y: float, diagonals: bool, feed: float, at: S
     def work(bench: Bench) -> None:
         bench.check_room("x", 0.0, side_x)
         bench.check_room("y", 0.0, side_y)
-        corners = {"lower left": [], "lower right": [way("x", side_x, feed)], "upper right": [way("y", side_y, feed)],
-                   "upper left": [way("x", -side_x, feed)]}  # fmt: skip
-        for corner, lines in corners.items():
+        corners: tuple[tuple[str, list[str]], ...] = (
+            (Text("mark the lower left corner, then press a key"), []),
+            (Text("mark the lower right corner, then press a key"), [way("x", side_x, feed)]),
+            (Text("mark the upper right corner, then press a key"), [way("y", side_y, feed)]),
+            (Text("mark the upper left corner, then press a key"), [way("x", -side_x, feed)]),
+        )
+        for question, lines in corners:
             bench.send(lines)
-            click.pause(f"mark the {corner} corner, then press a key")
+            click.pause(translated(question))
         bench.send([way("y", -side_y, feed)])
         _say_squareness(side_x, side_y, diagonals)
 
@@ -357,11 +367,11 @@ def _asked(talk: ServiceClient, line: str) -> str:
 def _asked_length(question: str, commanded_mm: float) -> float:
     """Ask until a length is given that can be the commanded one."""
     while True:
-        measured_mm = float(click.prompt(question, type=LengthType))
+        measured_mm = float(click.prompt(translated(question), type=LengthType))
         try:
             check_reading(measured_mm, commanded_mm)
         except CNCStepperError as error:
-            click.echo(str(error), err=True)
+            show_text("{error}", err=True, error=error)
         else:
             return measured_mm
 
@@ -400,14 +410,16 @@ def _correct_steps(bench: Bench, profile: str, axis: str, length_mm: float, read
     if not _offer(profile, ("axis", axis, "steps_per_mm"), new, yes):
         return
     setting = f"${FIRST_SETTING + AXIS_NAMES.index(axis)}={new:.4f}"
-    if yes or click.confirm(f"write {setting} to the controller too? its position is unknown afterwards"):
+    asked = Text("write {setting} to the controller too? its position is unknown afterwards", setting=setting)
+    if yes or click.confirm(translated(asked)):
         bench.send([setting])
         show_text("{setting}: written; home the machine, or set its zero", setting=setting)
 
 
 def _offer(profile: str, path: tuple[str, ...], value: float, yes: bool) -> bool:
     """Write a corrected value into the profile if that is wanted; return whether it was."""
-    if not yes and not click.confirm(f"write {'.'.join(path)}={value:g} into {profile}?"):
+    asked = Text("write {key}={value:g} into {profile}?", key=".".join(path), value=value, profile=profile)
+    if not yes and not click.confirm(translated(asked)):
         return False
     say_written(change(profile, {path: value}))
     return True
@@ -415,12 +427,12 @@ def _offer(profile: str, path: tuple[str, ...], value: float, yes: bool) -> bool
 
 def _say_squareness(side_x: float, side_y: float, diagonals: bool) -> None:
     if diagonals:
-        rising = click.prompt("lower left to upper right in mm", type=LengthType)
-        falling = click.prompt("lower right to upper left in mm", type=LengthType)
+        rising = click.prompt(look_up("lower left to upper right in mm"), type=LengthType)
+        falling = click.prompt(look_up("lower right to upper left in mm"), type=LengthType)
         deviation_deg = squareness_of_diagonals(side_x, side_y, rising, falling)
     else:
         deviation_deg = squareness_of_triangle(
-            side_x, side_y, click.prompt("lower right to upper left in mm", type=LengthType)
+            side_x, side_y, click.prompt(look_up("lower right to upper left in mm"), type=LengthType)
         )
     show_text(
         "the angle between X and Y is {angle_deg:.4f}°: {deviation_deg:+.4f}°, {skew_mm_m:.3f} mm over a metre",

@@ -10,7 +10,7 @@ import click
 from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.machine.service_client import profile_option
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text, joined
 from CNCStepper.machine.controller_family import BAUD
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ def _list_ports() -> None:
 
     choices = port_list()
     for choice in choices:
-        click.echo(choice.text)
+        show_text(choice.text)
     if not choices:
         show_text("no serial port is there: plug the controller in, or give its URL (socket://HOST:PORT)", err=True)
 
@@ -62,9 +62,9 @@ def _ask(port: str, baud: int, profile: str) -> bool:
         finally:
             link.close()
     except CNCStepperError as error:
-        click.echo(f"{port}: {error}")
+        show_text("{port}: {error}", port=port, error=error)
         return False
-    click.echo(f"{port}: {told}")
+    show_text("{port}: {told}", port=port, told=told)
     return True
 
 
@@ -76,10 +76,10 @@ def _meet(port: str, driver: Grbl, timing: Timing) -> str:
     assert driver.status
     state = driver.status.name
     if driver.status.state not in ("Idle", "Alarm"):
-        return f"a controller in the state {state}, which is not disturbed"
+        return Text("a controller in the state {state}, which is not disturbed", state=state)
     found = learn(driver, timing, has_greeting(woken))
     _note_position(port, driver, found.greeted)
-    return f"{_told(found, driver.window + 1)}, {state}"
+    return joined(", ", (_told(found, driver.window + 1), state))
 
 
 def _note_position(port: str, driver: Grbl, greeted: bool) -> None:
@@ -93,9 +93,9 @@ def _note_position(port: str, driver: Grbl, greeted: bool) -> None:
 
 
 def _told(found: ControllerInfo, receive_bytes: int) -> str:
-    words = [f"{found.firmware.name} {found.version}", f"{receive_bytes} bytes of receive buffer"]
+    words = [f"{found.firmware.name} {found.version}", Text("{count} bytes of receive buffer", count=receive_bytes)]
     if found.settings.get(13):
-        words.append("reports in inches ($13=1)")
+        words.append(Text("reports in inches ($13=1)"))
     if found.greeted:
-        words.append("it restarted when its port was opened")
-    return ", ".join(words)
+        words.append(Text("it restarted when its port was opened"))
+    return joined(", ", words)

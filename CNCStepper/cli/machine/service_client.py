@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from CNCStepper.cli.common.keep_open import keep_option, tell_kept
+from CNCStepper.cli.common.language import show_text, translated
 from CNCStepper.cli.common.options import Named
 from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
 from CNCStepper.errors import CNCStepperError, MachineRefusal, Text
@@ -96,7 +97,7 @@ class ServiceClient:
     def __enter__(self) -> ServiceClient:
         from CNCStepper.control.service.port_owner import warn_of_closed
 
-        warn_of_closed(partial(click.echo, err=True))
+        warn_of_closed(partial(show_text, err=True))
         while self.client.phase != "connected":
             self.look()
         return self
@@ -137,7 +138,7 @@ class ServiceClient:
         events = self.heard()
         for event in events:
             if event["event"] in ("message", "warning"):
-                click.echo(event["text"])
+                show_text(event["text"])
             elif event["event"] == "refused":
                 raise event.get("error") or MachineRefusal("desk-refused", event["text"], advice="see --help")
         self.check()
@@ -202,9 +203,9 @@ def place(status: SenderStatus) -> str:
     if status.wpos_mm:
         found.append(_axes(status.wpos_mm))
     if status.mpos_mm:
-        found.append(f"machine {_axes(status.mpos_mm)}")
+        found.append(translated(Text("machine {position}", position=_axes(status.mpos_mm))))
     if status.position_known is False:
-        found.append("position unknown")
+        found.append(translated(Text("position unknown")))
     return "  ".join(found)
 
 

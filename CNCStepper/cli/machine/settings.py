@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from CNCStepper.cli.common.language import show_text
+from CNCStepper.cli.common.language import show_text, translated
 from CNCStepper.cli.common.path_types import InputPath, OutputPath
 from CNCStepper.cli.common.verb import Verbs
 from CNCStepper.cli.machine.machine import say_written
@@ -24,6 +24,7 @@ from CNCStepper.control.settings.settings_restore import (
     check_takes_settings,
     restore_lines,
 )
+from CNCStepper.errors import Text
 from CNCStepper.machine.own_profiles import create, profile_content, save
 from CNCStepper.machine.profile import load_machine, profile_names
 
@@ -83,13 +84,18 @@ def restore(other: str, yes: bool, at: ServicePort) -> None:
         for row in compare_settings(found.settings, wanted):
             if row.differs:
                 click.echo(_row(row))
-        if not lines or not (yes or click.confirm(f"write these {len(lines)} settings to {at.name}?")):
+        if not lines or not (yes or _confirmed(lines, at)):
             show_text("nothing was written")
             return
         for done, line in enumerate(lines):
             check_answer(lines, done, talk.type(line))
         check_restored(_asked(talk).settings, lines, wanted)
     show_text("{lines} settings written and read back", lines=len(lines))
+
+
+def _confirmed(lines: list[str], at: ServicePort) -> bool:
+    """Ask whether these settings are to be written."""
+    return click.confirm(translated(Text("write these {count} settings to {port}?", count=len(lines), port=at.name)))
 
 
 @command.command("profile")

@@ -217,7 +217,7 @@ def _end_unread(refused: list[ProgramError], program: Path) -> NoReturn:
     """End the command with status 1 and the reason."""
     context = click.get_current_context()
     for error in refused:
-        click.echo(str(error))
+        show_text("{error}", error=error)
         add_option_hint(error, context)
     show_text("{program}: refused; it cannot be read", program=program)
     add_conversion(refused[0], context)

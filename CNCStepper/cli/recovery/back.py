@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from CNCStepper.recovery.retract.retract_client import RetractClient
 
 QUESTION = "b MM | l LINE | e | f [MM] | r | s | q"
-MEANINGS = """\
+MEANINGS = Text("""\
 b MM    back along the cut by MM millimetres      f [MM]  forward again, as far as it was cut at most
 l LINE  back to where LINE of the program begins  r       resume: spindle on, cut from here to the end
-e       back to the last entry into the work      s       stop the job        q  leave, the machine stands"""
-OVER = "that was not done: the job has gone on meanwhile"
+e       back to the last entry into the work      s       stop the job        q  leave, the machine stands""")
+OVER = Text("that was not done: the job has gone on meanwhile")
 LENGTH = click.FloatRange(min=0, min_open=True)
 
 
@@ -109,7 +109,7 @@ def _target(
 def _go(back: RetractClient, held: HeldProgram, target: Place) -> None:
     """Go along the cut to a place, and print the tool's position there."""
     if held.doubt:
-        click.echo(held.doubt, err=True)
+        show_text(held.doubt, err=True)
     back.go(held.along(target))
     _show(back.wait_for_leg(), back.held())
 
@@ -134,7 +134,7 @@ class _Dialogue:
 
     def run(self) -> None:
         """Ask and execute the answer; after a refusal print it and ask again."""
-        click.echo(MEANINGS)
+        show_text(MEANINGS)
         while True:
             stand = self._client.status().stand
             answer = click.prompt(QUESTION, err=True).lower().split() or [""]
@@ -152,7 +152,7 @@ class _Dialogue:
         """Return whether an answer that moves the machine belongs to a pause that is over, and print that."""
         if word in ("s", "q") or self._client.status().stand == stand:
             return False
-        click.echo(OVER, err=True)
+        show_text(OVER, err=True)
         return True
 
     def _execute_command(self, word: str, number: str = "") -> bool:
@@ -165,7 +165,7 @@ class _Dialogue:
             held = self._back.held()
             _go(self._back, held, _asked(held, word, number))
         elif word != "q":
-            click.echo(MEANINGS)
+            show_text(MEANINGS)
         return word in ("s", "r", "q")
 
 

@@ -171,7 +171,7 @@ def command(
     _check_stock(against, output)
     if output.port:
         check_free(output.port)
-        warn_of_closed(partial(click.echo, err=True))
+        warn_of_closed(partial(show_text, err=True))
     text = read_program(program)
     if not (where.line or where.operation or where.contour or where.at_mm):
         _list(text, program, against)
@@ -244,8 +244,8 @@ def _tell(proven: ProvenRestart, against: _Against) -> None:
 
     show_findings(proven.proof.findings)
     for sentence in words_of(proven.restart):
-        click.echo(sentence)
-    click.echo(proven_against(against.has_stock, against.job is not None))
+        show_text(sentence)
+    show_text(proven_against(against.has_stock, against.job is not None))
     show_text("takes {time_s:.1f} s", time_s=proven.proof.report["time_s"])
 
 
@@ -264,7 +264,7 @@ def _language_note(proven: ProvenRestart) -> str:
     """Return in which language a restart is, where that is not the language of its program."""
     program = proven.restart.program
     name = program.dialect.name.partition(":")[0]
-    return f", in the language that is sent: --dialect {name}" if program.is_translated else ""
+    return Text(", in the language that is sent: --dialect {name}", name=name) if program.is_translated else ""
 
 
 def _send(certificate: Certificate, port: str, sending: SendOptions) -> None:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from CNCStepper.cli.common.options import digest_of_file
 from CNCStepper.control.journal.store import PROFILE
 from CNCStepper.control.session.files import write_private
-from CNCStepper.errors import JobError
+from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.controller_family import BAUD
 from CNCStepper.machine.profile import Machine, load_machine, profile_names, validated
 
@@ -81,8 +81,9 @@ class RestartLine:
                 return shipped
         if profile:
             return self._copy_of_profile(named)
-        whose = f"of {header['machine']}" if header["machine"] else "of the machine, which the job was sent without"
-        self._tell("not known", f"the profile {whose}: put its file in place of {NO_PROFILE}")
+        machine = header["machine"] or Text("the machine, which the job was sent without")
+        what = Text("the profile of {machine}: put its file in place of {name}", machine=machine, name=NO_PROFILE)
+        self._tell("not known", what)
         return NO_PROFILE
 
     def _copy_of_profile(self, named: list[str]) -> str:
@@ -90,7 +91,10 @@ class RestartLine:
         copy = self._story.path.with_suffix(PROFILE)
         write_private(copy, self._profile)
         if named:
-            self._tell("profile", f"{named[0]} is not as it was, or not there: {copy} is what the job was sent with")
+            what = Text(
+                "{name} is not as it was, or not there: {copy} is what the job was sent with", name=named[0], copy=copy
+            )
+            self._tell("profile", what)
         return str(copy)
 
     def _set_dialect(self) -> None:
@@ -106,8 +110,12 @@ class RestartLine:
         """Note where the job was sent without stock."""
         if "--job" not in self._options and not {"--stock", "--tool"} <= set(self._options):
             yield NO_STOCK
-            what = "the stock and its tool, so nobody sees whether a rapid meets material"
-            self._tell("not known", f"{what}: give --stock and --tool, or --job, in place of {NO_STOCK}")
+            what = Text(
+                "the stock and its tool, so nobody sees whether a rapid meets material: give --stock and --tool, or "
+                "--job, in place of {option}",
+                option=NO_STOCK,
+            )
+            self._tell("not known", what)
 
     def _set_work_zero(self) -> None:
         """Give the zero with which the restart is made and compared: one that was set again within the job counts.
@@ -127,9 +135,11 @@ class RestartLine:
         """Note which of the files that the command names have changed."""
         for name in (name for name in files if name in self.words):
             if not Path(name).is_file():
-                self._tell("missing", f"{name} is not there any more: the restart is made with it, bring it back")
+                what = Text("{name} is not there any more: the restart is made with it, bring it back", name=name)
+                self._tell("missing", what)
             elif digest_of_file(Path(name)) != files[name]:
-                self._tell("changed", f"{name} was changed since: see that it still says what was cut")
+                what = Text("{name} was changed since: see that it still says what was cut", name=name)
+                self._tell("changed", what)
 
     def _tell(self, name: str, text: str) -> None:
         self.told.append((name, text))

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from CNCStepper.cli.common.language import show_text
+from CNCStepper.cli.common.language import show_text, translated
 from CNCStepper.cli.common.options import FilePath, read_program
 from CNCStepper.cli.common.verb import Verb
-from CNCStepper.errors import ProgramError
+from CNCStepper.errors import ProgramError, Text
 
 if TYPE_CHECKING:
     from CNCStepper.control.journal.progress_interval import ProgressInterval
@@ -20,11 +20,6 @@ if TYPE_CHECKING:
 
 
 NOTHING_CUT, NOTHING_LEFT, WHOLE_ONLY = "restart-at-start", "restart-nothing-left", "restart-lathe"
-WHY_WHOLE = {
-    NOTHING_CUT: "nothing is cut before line {line}, so the program is sent from its beginning",
-    WHOLE_ONLY: "the lathe's program has no entry in its middle: switch the lathe off and on, set its zero by hand, "
-    "then send the program from its beginning",
-}
 
 
 @click.command("resume", cls=Verb)
@@ -49,7 +44,7 @@ def command(journal: Path | None, is_list: bool) -> None:
         return
     check_ended(story)
     for name, text in _told(story):
-        click.echo(f"{name:<13}{text}")
+        click.echo(f"{name:<13}{translated(text)}")
 
 
 def _story(journal: Path | None) -> JobReplay | None:
@@ -95,10 +90,18 @@ def _restart(story: JobReplay) -> Iterator[tuple[str, str]]:
     if why_not := why_no_line(story):
         yield "restart", why_not
     elif not file.is_file():
-        yield "restart", f"from line {line} of the program, which is not a file here any more: {name}"
+        yield (
+            "restart",
+            Text("from line {line} of the program, which is not a file here any more: {name}", line=line, name=name),
+        )
     elif _was_changed(file, sha256):
-        what = f"none: {file} was changed since, so its lines are not those of the journal; bring the old text back"
-        yield "restart", what
+        yield (
+            "restart",
+            Text(
+                "none: {file} was changed since, so its lines are not those of the journal; bring the old text back",
+                file=file,
+            ),
+        )
     else:
         yield from _offered(story, file, line)
 
@@ -109,13 +112,23 @@ def _offered(story: JobReplay, file: Path, line: int) -> Iterator[tuple[str, str
 
     why_not = _no_entry(story, file, line)
     if why_not == NOTHING_LEFT:
-        yield "restart", "none is needed: from there on the program cuts nothing"
+        yield "restart", Text("none is needed: from there on the program cuts nothing")
         return
     offered = RestartLine(story, file, 0 if why_not else line)
     yield from offered.told
     if why_not:
-        yield "whole", WHY_WHOLE[why_not].format(line=line)
+        yield "whole", _why_whole(why_not, line)
     yield "restart", str(offered)
+
+
+def _why_whole(code: str, line: int) -> Text:
+    """Return why a program is sent from its beginning, where no entry at a line can be made."""
+    if code == NOTHING_CUT:
+        return Text("nothing is cut before line {line}, so the program is sent from its beginning", line=line)
+    return Text(
+        "the lathe's program has no entry in its middle: switch the lathe off and on, set its zero by hand, then send "
+        "the program from its beginning"
+    )
 
 
 def _no_entry(story: JobReplay, file: Path, line: int) -> str:

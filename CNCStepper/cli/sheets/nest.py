@@ -77,7 +77,7 @@ def command(order: Path, time_s: float, out: Path, seed: int, common_lines: bool
     _tell(read, layout)
     if shared:
         _tell_saving(saving_of(shared))
-    click.echo(f"density {density_of(read, layout):.3f}")
+    show_text("density {density:.3f}", density=density_of(read, layout))
     sys.exit(1 if layout.unplaced else 0)
 
 

@@ -52,7 +52,7 @@ from CNCStepper.control.protocol.grbl.readiness import OFFSET_TOLERANCE_MM, chec
 from CNCStepper.control.protocol.grbl.settings import check_settings, differences
 from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.errors import MachineRefusal, Text
+from CNCStepper.errors import MachineRefusal, Text, one_of
 from CNCStepper.gcode.syntax.words import code_pattern, packed_wire, scanned_codes
 from CNCStepper.state import WORK_SYSTEMS
 
@@ -97,7 +97,7 @@ def _dialect_refusal(dialect: str, what: str, firmware: Firmware) -> MachineRefu
         "dialect-differs",
         what,
         value=dialect,
-        limit=" or ".join(firmware.dialects),
+        limit=one_of(firmware.dialects),
         advice=Text(
             "write it in the controller's own: cncstepper convert PROGRAM --dialect {dialect} --to {own} -o NEW",
             dialect=dialect,

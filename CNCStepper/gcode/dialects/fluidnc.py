@@ -9,6 +9,8 @@ O-words (`Expression.cpp`) are read; the wire text has them expanded.
 
 from dataclasses import replace
 
+from CNCStepper.canned_cycle_expansion import CYCLE_NAMES
+from CNCStepper.gcode.dialects.definition import same_advice
 from CNCStepper.gcode.dialects.grbl import GRBL
 
 FLUIDNC = replace(
@@ -16,7 +18,11 @@ FLUIDNC = replace(
     name="fluidnc",
     title="FluidNC",
     refused={
-        **{name: advice.replace("grbl", "FluidNC") for name, advice in GRBL.refused.items()},
+        **GRBL.refused,
+        **same_advice("ABCUVW", "FluidNC moves X, Y and Z only"),
+        **same_advice(("G64", "G61.1"), "FluidNC follows the exact path always: leave the word out or write G61"),
+        **same_advice((*CYCLE_NAMES, "G98", "G99"), "FluidNC has no canned cycles: write the holes as plain moves"),
+        **same_advice(("G59.1", "G59.2", "G59.3"), "FluidNC has G54 to G59"),
         "M6": "M6 depends on the machine's configuration: pause with M0, or split at tool changes",
     },
     line_limit=255,

@@ -21,7 +21,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from math import copysign, hypot, radians, sqrt, tan
 
-from CNCStepper.errors import ProgramError, Text
+from CNCStepper.errors import ProgramError, Text, all_of
 from CNCStepper.gcode.dialects.codes import MOTION_NAMES
 from CNCStepper.gcode.interpreter.block import Block
 from CNCStepper.gcode.lathe.profile_cycles import CycleTool, ProfileBlocks, place_of
@@ -74,7 +74,7 @@ def _first_block(block: Block, name: str, letters: str) -> dict[str, float]:
     for letter in letters:
         if letter not in words:
             what = Text("{name} needs its first block, with {letter}", name=name, letter=letter)
-            advice = Text("write a block {name} with {letters} before", name=name, letters=" and ".join(letters))
+            advice = Text("write a block {name} with {letters} before", name=name, letters=all_of(letters))
             raise ProgramError("missing-word", what, value=name, advice=advice)
     return words
 

@@ -130,7 +130,7 @@ def _value(key: str, text: str, units: str) -> float:
     allowed = [rule.allows(int(value) if value.is_integer() else value) for rule in rules]
     allowed += [value.is_integer()] if own == "cut_mode" else []
     if not (all(allowed) if rules else value in (0.0, 1.0)):
-        limit = rules[0].words if rules else "0 or 1"
+        limit = rules[0].words if rules else Text("0 or 1")
         what = Text("{key}= of a material is out of its bounds", key=key)
         raise ProgramError("material", what, value=printable(text, 40), limit=limit, advice="correct the comment")
     return value

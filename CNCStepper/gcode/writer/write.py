@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from CNCStepper.cancellation import checkpoint
-from CNCStepper.errors import Place, ProgramError, Text
+from CNCStepper.errors import Place, ProgramError, Text, one_of
 from CNCStepper.gcode.dialects import Dialect, dialect_named
 from CNCStepper.gcode.writer.block_emitter import BlockEmitter, Grid, ascii_text
 from CNCStepper.gcode.writer.canned_cycle_blocks import CycleWriter
@@ -71,7 +71,7 @@ def written(
         what = Text(
             "{named} cannot change tools by '{tool_change}'", named=named.title, tool_change=options.tool_change
         )
-        raise ProgramError("tool-change", what, advice=Text("use {ways}", ways=" or ".join(named.writing.tool_change)))
+        raise ProgramError("tool-change", what, advice=Text("use {ways}", ways=one_of(named.writing.tool_change)))
     writer = _Writer(toolpath, named, options, progress)
     text = writer.program(0, len(toolpath))
     return Written(text, tuple(writer.page.notes))
@@ -136,7 +136,7 @@ class _Writer:
             raise ProgramError("dialect", what, advice="write for grbl or linuxcnc")
         if options.units not in writing.units:
             what = Text("{dialect} has no programs in {units}", dialect=dialect.title, units=options.units)
-            raise ProgramError("units", what, advice=Text("use {units}", units=" or ".join(writing.units)))
+            raise ProgramError("units", what, advice=Text("use {units}", units=one_of(writing.units)))
         self.path = toolpath
         self.options = options
         self._progress = progress

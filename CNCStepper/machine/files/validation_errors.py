@@ -3,29 +3,43 @@
 
 from __future__ import annotations
 
+import re
 import types
 from collections.abc import Iterator, Sequence
+from functools import reduce
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 from pydantic_core import ErrorDetails
 
-from CNCStepper.errors import JobError, Place, Text
+from CNCStepper.errors import JobError, Place, Text, joined, one_of
 from CNCStepper.quantities import ERROR_TYPE, Bounds, shown, with_unit
 from CNCStepper.safe_text import printable
 
 MOST_KEY = 200  # characters of a key's path that are shown
-BOUNDS = {"gt": "above", "ge": "at least", "lt": "below", "le": "at most"}
 WRONG_TYPES = {  # by pydantic's name of the problem
     "bool_type": Text("must be true or false"),
     "bool_parsing": Text("must be true or false"),
+    "int_type": Text("must be a whole number"),
+    "int_parsing": Text("must be a whole number"),
+    "int_from_float": Text("must be a whole number"),
+    "float_type": Text("must be a number"),
+    "float_parsing": Text("must be a number"),
+    "finite_number": Text("must be a finite number"),
+    "none_required": Text("must be left out"),
+    "missing": Text("is missing"),
+    "extra_forbidden": Text("is no key that is known"),
     "string_type": Text("must be a text in quotes"),
+    "string_pattern_mismatch": Text("is not written as it must be"),
     "dict_type": Text("must be a table"),
     "model_type": Text("must be a table"),
+    "model_attributes_type": Text("must be a table"),
     "list_type": Text("must be a list"),
     "tuple_type": Text("must be a list"),
 }
+CHOICES = {"literal_error": "expected", "enum": "expected", "union_tag_invalid": "expected_tags"}  # the key of its ctx
+QUOTED = re.compile("'[^']*'")
 
 
 def refusal_of(model: type[BaseModel], error: ValidationError, file: str) -> JobError:
@@ -39,7 +53,7 @@ def refusal_of(model: type[BaseModel], error: ValidationError, file: str) -> Job
         known = ", ".join(sorted(owner.model_fields))
         advice = Text(
             "correct its spelling or take it out; known {table}are: {known}",
-            table=f"in {table} " if table else "",
+            table=Text("in {table} ", table=table) if table else "",
             known=known,
         )
         return JobError("bad-value", Text("there is no key {key}", key=key), advice=advice, place=place)
@@ -50,7 +64,7 @@ def refusal_of(model: type[BaseModel], error: ValidationError, file: str) -> Job
         name = str(first["loc"][-1])
         what = Text("the key {name} is missing", name=name)
         what = Text("{problem} in {table}", problem=what, table=table) if table else what
-        words = _words(owner.model_fields[name]) if name in owner.model_fields else "a value"
+        words = _words(owner.model_fields[name]) if name in owner.model_fields else Text("a value")
         return JobError("bad-value", what, advice=Text("add {name} = {words}", name=name, words=words), place=place)
     if first["type"] == ERROR_TYPE:
         return _out_of_bounds(key, first, place)
@@ -75,7 +89,34 @@ def message_of(problem: ErrorDetails) -> str:
         return raised.args[0]
     if problem["type"] in WRONG_TYPES:
         return WRONG_TYPES[problem["type"]]
-    return printable(problem["msg"].removeprefix("Value error, "))
+    if problem["type"] in CHOICES:
+        told = QUOTED.findall(str(problem["ctx"][CHOICES[problem["type"]]]))
+        return Text("must be {choices}", choices=one_of(printable(choice, MOST_KEY) for choice in told))
+    return _beyond(problem) or printable(problem["msg"].removeprefix("Value error, "))
+
+
+def _beyond(problem: ErrorDetails) -> str:
+    """Return the text of an error that has a limit, "" for any other."""
+    match problem.get("ctx", {}):
+        case {"min_length": least} if problem["type"] == "string_too_short":
+            return Text("must have at least {least} characters", least=least)
+        case {"max_length": most} if problem["type"] == "string_too_long":
+            return Text("must have at most {most} characters", most=most)
+        case {"min_length": least}:
+            return Text("must have at least {least} values", least=least)
+        case {"max_length": most}:
+            return Text("must have at most {most} values", most=most)
+        case {"gt": limit}:
+            return Text("must be above {limit:g}", limit=limit)
+        case {"ge": limit}:
+            return Text("must be at least {limit:g}", limit=limit)
+        case {"lt": limit}:
+            return Text("must be below {limit:g}", limit=limit)
+        case {"le": limit}:
+            return Text("must be at most {limit:g}", limit=limit)
+        case {"discriminator": key} if problem["type"] == "union_tag_not_found":
+            return Text("the key {name} is missing", name=str(key).strip("'"))
+    return ""
 
 
 def _out_of_bounds(key: str, problem: ErrorDetails, place: Place) -> JobError:
@@ -109,7 +150,7 @@ def _owner(model: type[BaseModel], loc: Sequence[int | str]) -> tuple[type[BaseM
             choice = list(_models_in(model.model_fields[part].annotation)) or choice
         else:  # the kind by which one of several models was chosen
             choice = [one for one in choice if part in _kinds(one)] or choice
-    return choice[0], " of ".join(reversed(words))
+    return choice[0], reduce(lambda whole, part: Text("{part} of {whole}", part=part, whole=whole), words or [""])
 
 
 def _models_in(annotation: Any) -> Iterator[type[BaseModel]]:
@@ -125,17 +166,25 @@ def _kinds(model: type[BaseModel]) -> tuple[str, ...]:
     return (model.__name__, *(get_args(kind.annotation) if kind else ()))
 
 
-def _words(field: FieldInfo) -> str:
+def _words(field: FieldInfo) -> Text:
     """Return the accepted values of a key as text: "a number from 0.001 to 10000 mm"."""
     kinds = [rule for rule in (*field.metadata, *_parts(field.annotation)) if isinstance(rule, Bounds)]
     if kinds:
-        return f"{_kind_words(field.annotation)} from {kinds[0].words}"
-    bounds = [f"{words} {value:g}" for name, words in BOUNDS.items() if (value := _bound(field, name)) is not None]
-    return " ".join([_kind_words(field.annotation), " and ".join(bounds)]).strip()
+        return Text("{number} from {words}", number=_kind_words(field.annotation), words=kinds[0].words)
+    bounds = list(_bounds(field))
+    return Text("{kind}{bounds}", kind=_kind_words(field.annotation), bounds=joined("", bounds))
 
 
-def _bound(field: FieldInfo, name: str) -> float | None:
-    return next((value for rule in field.metadata if (value := getattr(rule, name, None)) is not None), None)
+def _bounds(field: FieldInfo) -> Iterator[Text]:
+    for rule in field.metadata:
+        if (least := getattr(rule, "gt", None)) is not None:
+            yield Text(" above {least:g}", least=least)
+        if (least := getattr(rule, "ge", None)) is not None:
+            yield Text(" of at least {least:g}", least=least)
+        if (most := getattr(rule, "lt", None)) is not None:
+            yield Text(" below {most:g}", most=most)
+        if (most := getattr(rule, "le", None)) is not None:
+            yield Text(" of at most {most:g}", most=most)
 
 
 def _parts(annotation: Any) -> Iterator[Any]:
@@ -148,11 +197,11 @@ def _kind_words(annotation: Any) -> str:
     if get_origin(annotation) is Annotated:
         return _kind_words(get_args(annotation)[0])
     if get_origin(annotation) is Literal:
-        return " or ".join(f'"{choice}"' for choice in get_args(annotation))
+        return one_of(f'"{choice}"' for choice in get_args(annotation))
     if get_origin(annotation) in (Union, types.UnionType):
         return _kind_words(get_args(annotation)[0])
     if annotation in (int, float):
-        return "a number" if annotation is float else "a whole number"
+        return Text("a number") if annotation is float else Text("a whole number")
     if annotation is str:
-        return "a text"
-    return "a list" if get_origin(annotation) in (tuple, list) else "a value"
+        return Text("a text")
+    return Text("a list") if get_origin(annotation) in (tuple, list) else Text("a value")

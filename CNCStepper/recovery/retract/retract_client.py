@@ -142,7 +142,7 @@ class ButtonClient(threading.Thread):
             raise
         except CNCStepperError as error:
             if client.outcome is None:
-                self._tell(str(error))
+                self._tell(error.text)
 
 
 def lead(client: SessionClient | ConnectionSession, status: SenderStatus) -> None:

@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 import shapely
 
-from CNCStepper.errors import Text
+from CNCStepper.errors import Text, all_of
 from CNCStepper.machine.processes import MILLING, Process
 from CNCStepper.machine.tools.tool import Tool
 from CNCStepper.machine.tools.tool_profile import form_of
@@ -51,7 +51,7 @@ def tools_known(subject: CheckContext, tools: Tools, seen: set[int]) -> Iterator
                 "the {tool_shape} tool's form is not given, so it is judged as a flat one of its diameter",
                 tool_shape=tool.shape,
             )
-            advice = Text("give its {own_key}", own_key=" and ".join(sorted(OWN_KEYS[tool.shape])))
+            advice = Text("give its {own_key}", own_key=all_of(sorted(OWN_KEYS[tool.shape])))
             yield subject.finding(row, "warning", "tool-shape", text, advice=advice)
 
 

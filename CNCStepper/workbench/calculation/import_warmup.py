@@ -35,6 +35,8 @@ MODULES = (  # of the core alone: modules of FreeCAD and Qt belong to the window
     "CNCStepper.machine.libraries.operation_presets",
     "CNCStepper.job.model",
     "CNCStepper.job.templates.begun_job",
+    "CNCStepper.job.templates.turning_template",
+    "CNCStepper.job.turning.turning_transfer",
 )
 WINDOW_MODULES = (  # an import of `api` or of the panels is long as a whole: its parts come first
     "CNCStepper.workbench.document.drawing_files",
@@ -59,6 +61,7 @@ WINDOW_MODULES = (  # an import of `api` or of the panels is long as a whole: it
     "CNCStepper.workbench.panels.form",
     "CNCStepper.workbench.panels.object_form",
     "CNCStepper.workbench.templates.job_template",
+    "CNCStepper.workbench.document.turning.core_turning_job",
     "CNCStepper.workbench.templates.turning_template",
     "CNCStepper.workbench.panels.catalogue",
 )

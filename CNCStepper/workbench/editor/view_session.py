@@ -17,6 +17,7 @@ import numpy as np
 from PySide import QtCore
 
 from CNCStepper.simulation.views.path_lines import Lines
+from CNCStepper.workbench.services.coin_fields import fill_points
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.view_colours import FEED_RGB, MARKER_RGB, RAPID_RGB
 from CNCStepper.workbench.simulation import coin_nodes as nodes
@@ -125,7 +126,7 @@ class EditorScene:
         style.lineWidth, style.pointSize = LINE_PX, END_PX
         end = coin.SoPointSet()
         end.vertexProperty = coin.SoVertexProperty()
-        end.vertexProperty.getValue().vertex.setValues(0, 1, points[-1:].copy())
+        fill_points(end.vertexProperty.getValue().vertex, points[-1:])
         self._line.addChild(nodes.in_front())
         self._line.addChild(style)
         self._line.addChild(nodes.plain(MARKER_RGB))

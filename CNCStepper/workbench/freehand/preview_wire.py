@@ -9,6 +9,7 @@ from typing import Any
 from pivy import coin
 
 from CNCStepper.workbench.freehand.stroke import Point
+from CNCStepper.workbench.services.coin_fields import fill_points
 
 LINE = (0.97, 0.62, 0.05)  # amber reads on light and on dark backgrounds
 HANDLE = (0.25, 0.55, 0.95)
@@ -68,7 +69,6 @@ class Wire:
             (self._points, self._marks, points),
             (self._hot, self._hot_mark, [hot] if hot is not None else []),
         ):
-            coordinates.point.setValues(0, len(row), [(x, y, 0.0) for x, y in row])
-            coordinates.point.setNum(len(row))
+            fill_points(coordinates.point, [(x, y, 0.0) for x, y in row])
             count = shape.numVertices if shape is self._count else shape.numPoints
             count.setValue(len(row))

@@ -129,7 +129,7 @@ class AxisSheet(QtGui.QWidget):
         try:
             self._show(self._answers(seen))
         except Refused as refused:
-            self._say(tr(refused.sentence).format(*refused.values))
+            self._say(tr(refused.sentence).format(*map(translated, refused.values)))
 
     def _answers(self, seen: list[Property]) -> Any:
         """Return the worked answers; raises Refused, naming the line."""
@@ -139,7 +139,7 @@ class AxisSheet(QtGui.QWidget):
         drive = {key: value for key, value in values.items() if key not in TRIAL}
         entries = {entry.key: entry for entry in seen}
         for key, wrong in complaints(Drive, drive, lambda key, number: text_of(number, entries[key])).items():
-            raise _named(entries[key], tr(wrong.sentence).format(*wrong.values))
+            raise _named(entries[key], tr(wrong.sentence).format(*map(translated, wrong.values)))
         return answers(Drive.model_validate(drive), *(values[key] for key in TRIAL))
 
     def _read(self, entry: Property) -> float:
@@ -147,7 +147,7 @@ class AxisSheet(QtGui.QWidget):
         try:
             value = read(self.lines[entry.key].text(), entry, self.job)
         except Refused as refused:
-            raise _named(entry, tr(refused.sentence).format(*refused.values)) from refused
+            raise _named(entry, tr(refused.sentence).format(*map(translated, refused.values))) from refused
         if entry.key in TRIAL and value <= 0:
             raise _named(entry, tr("must be above {0}").format(text_of(0.0, entry)))
         return value

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from CNCStepper.errors import CNCStepperError
+from CNCStepper.machine.files.validation_errors import message_of
 from CNCStepper.quantities import ERROR_TYPE
 from CNCStepper.workbench.document.input_limits import limits_passed
 from CNCStepper.workbench.features.base import JOB, LATHE_JOB, proxy_type
@@ -147,7 +148,7 @@ def sentence_of(key: str, problem: Any, shown: Callable[[str, float], str]) -> R
         return Refused(sentence, shown(key, problem["ctx"][name]))
     if problem["type"] == ERROR_TYPE and isinstance(problem["input"], int | float):
         return _out_of_bounds(key, problem["input"], problem["ctx"], shown)
-    return Refused("{0}", problem["msg"].removeprefix("Value error, "))
+    return Refused("{0}", message_of(problem))
 
 
 def _out_of_bounds(key: str, value: float, bounds: Any, shown: Callable[[str, float], str]) -> Refused:

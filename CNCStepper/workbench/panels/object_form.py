@@ -356,7 +356,7 @@ class Editor(QtGui.QWidget):
         remake(self.obj.Document)
 
     def _mark(self, key: str, refused: Refused) -> None:
-        self.form.mark(key, tr(refused.sentence).format(*refused.values))
+        self.form.mark(key, tr(refused.sentence).format(*map(translated, refused.values)))
 
     def _shown(self, key: str, number: float) -> str:
         return text_of(number, self._entry(key))

@@ -18,6 +18,7 @@ from shapely import Polygon
 from CNCStepper.nesting.manual_nesting import ManualNest, PlacedPart
 from CNCStepper.nesting.nesting_model import Placement
 from CNCStepper.nesting.no_fit import convex_pieces
+from CNCStepper.workbench.services.coin_fields import fill_points, fill_whole_numbers
 
 Rgb = tuple[float, float, float]
 SHEET_RGB, RIM_RGB = (0.93, 0.90, 0.82), (0.35, 0.30, 0.20)
@@ -116,10 +117,10 @@ def _sheet_node(outline: Polygon, corner: tuple[float, float]) -> Any:
 def _faces(pieces: Sequence[np.ndarray], z_mm: float) -> Any:
     points = np.concatenate(pieces)
     content = coin.SoVertexProperty()
-    content.vertex.setValues(0, len(points), np.column_stack([points, np.full(len(points), z_mm)]).tolist())
+    fill_points(content.vertex, np.column_stack([points, np.full(len(points), z_mm)]))
     faces = coin.SoFaceSet()
     faces.vertexProperty = content
-    faces.numVertices.setValues(0, len(pieces), [len(piece) for piece in pieces])
+    fill_whole_numbers(faces.numVertices, [len(piece) for piece in pieces])
     return faces
 
 
@@ -128,7 +129,7 @@ def _rims(polygon: Polygon, z_mm: float) -> list[Any]:
     found = []
     for ring in rings:
         content, lines = coin.SoVertexProperty(), coin.SoLineSet()
-        content.vertex.setValues(0, len(ring), np.column_stack([ring[:, :2], np.full(len(ring), z_mm)]).tolist())
+        fill_points(content.vertex, np.column_stack([ring[:, :2], np.full(len(ring), z_mm)]))
         lines.vertexProperty = content
         lines.numVertices.setValue(len(ring))
         found.append(lines)

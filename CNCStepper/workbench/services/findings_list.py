@@ -74,7 +74,7 @@ def sentence(finding: Finding) -> str:
 
 def tooltip(finding: Finding) -> str:
     """Return the whole finding with what to do about it."""
-    return "\n".join(part for part in (sentence(finding), translated(finding.advice), f"[{finding.code}]") if part)
+    return "\n".join(filter(None, (sentence(finding), translated(finding.advice))))
 
 
 def _numbers(finding: Finding) -> str:

@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from CNCStepper.workbench.services.coin_fields import fill_colours, fill_points, fill_whole_numbers
+
 Rgb = tuple[float, float, float]
 
 
@@ -26,7 +28,7 @@ def quads(corners: np.ndarray) -> Any:
 
     faces = coin.SoFaceSet()
     faces.vertexProperty = _corners(corners)
-    faces.numVertices.setValues(0, len(corners), [4] * len(corners))
+    fill_whole_numbers(faces.numVertices, np.full(len(corners), 4))
     return faces
 
 
@@ -35,10 +37,10 @@ def polygons(points: np.ndarray, counts: np.ndarray) -> Any:
     from pivy import coin
 
     content = coin.SoVertexProperty()
-    content.vertex.setValues(0, len(points), np.ascontiguousarray(points, np.float32))
+    fill_points(content.vertex, points)
     faces = coin.SoFaceSet()
     faces.vertexProperty = content
-    faces.numVertices.setValues(0, len(counts), counts.tolist())
+    fill_whole_numbers(faces.numVertices, counts)
     return faces
 
 
@@ -50,13 +52,13 @@ def coloured_quads(corners: np.ndarray, rgba: np.ndarray) -> Any:
     from pivy import coin
 
     content = _corners(corners)
-    content.orderedRGBA.setValues(0, rgba.size, np.ascontiguousarray(rgba.ravel()))
+    fill_colours(content.orderedRGBA, rgba.ravel())
     content.materialBinding = coin.SoVertexProperty.PER_VERTEX
     index = np.full((len(corners), 5), -1, np.int32)
     index[:, :4] = np.arange(4 * len(corners)).reshape(-1, 4)
     faces = coin.SoIndexedFaceSet()
     faces.vertexProperty = content
-    faces.coordIndex.setValues(0, index.size, index.ravel())
+    fill_whole_numbers(faces.coordIndex, index.ravel())
     return faces
 
 
@@ -64,7 +66,7 @@ def _corners(corners: np.ndarray) -> Any:
     from pivy import coin
 
     content = coin.SoVertexProperty()
-    content.vertex.setValues(0, 4 * len(corners), np.ascontiguousarray(corners.reshape(-1, 3)))
+    fill_points(content.vertex, corners)
     return content
 
 
@@ -73,12 +75,12 @@ def strips(points: np.ndarray, normals: np.ndarray, counts: np.ndarray) -> Any:
     from pivy import coin
 
     content = coin.SoVertexProperty()
-    content.vertex.setValues(0, len(points), np.ascontiguousarray(points, np.float32))
-    content.normal.setValues(0, len(normals), np.ascontiguousarray(normals, np.float32))
+    fill_points(content.vertex, points)
+    fill_points(content.normal, normals)
     content.normalBinding = coin.SoVertexProperty.PER_VERTEX
     bands = coin.SoTriangleStripSet()
     bands.vertexProperty = content
-    bands.numVertices.setValues(0, len(counts), counts.tolist())
+    fill_whole_numbers(bands.numVertices, counts)
     return bands
 
 
@@ -87,10 +89,10 @@ def lines(points: np.ndarray, counts: np.ndarray) -> Any:
     from pivy import coin
 
     content = coin.SoVertexProperty()
-    content.vertex.setValues(0, len(points), np.ascontiguousarray(points, np.float32))
+    fill_points(content.vertex, points)
     strips = coin.SoLineSet()
     strips.vertexProperty = content
-    strips.numVertices.setValues(0, len(counts), counts.tolist())
+    fill_whole_numbers(strips.numVertices, counts)
     return strips
 
 

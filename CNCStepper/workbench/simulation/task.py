@@ -57,6 +57,7 @@ class SimulationTask(ViewTask):
         self._scene: Any = None
         self._material: Any = None
         self._stage: Stage | None = None
+        self._has_left = False
         self._loading: Iterator[None] = iter(())
         self._loader = QtCore.QTimer()
         self._loader.setInterval(0)
@@ -82,9 +83,13 @@ class SimulationTask(ViewTask):
         self.form.clear()
 
     def _leave(self, *_: Any) -> None:
-        """Do so without the panel, which may be gone."""
+        """Do so without the panel, which may be gone; Qt keeps this object with the timer that calls it."""
+        if self._has_left:
+            return
+        self._has_left = True
         self._watch.end()
         self._leave_result()
+        self._loader.deleteLater()
 
     def _leave_result(self) -> None:
         self._loader.stop()

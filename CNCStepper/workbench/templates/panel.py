@@ -209,7 +209,7 @@ class TemplatePanel(PanelButtons):
             if 0 <= row < len(self.draft.rules):
                 self.draft.rules[row] = rule_of(self.rule.read(), self.draft.rules[row])
         except Refused as error:
-            self._say(tr(error.sentence).format(*error.values))
+            self._say(tr(error.sentence).format(*map(translated, error.values)))
             return False
         except CNCStepperError as error:
             self._say(translated(error.sentence))

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from pivy import coin
 
+from CNCStepper.workbench.services.coin_fields import fill_points, fill_whole_numbers
+
 if TYPE_CHECKING:
     from CNCStepper.geometry.curve import Curve
 
@@ -37,12 +39,10 @@ class TakenView:
     def draw(self, curves: Sequence[Curve], untaken: bool = False) -> None:
         """Show some contours, mm, in place of those before."""
         shown = [curve.points(_chord_mm(curve)) for curve in curves[:MOST_SHOWN]]
-        points = np.vstack(shown) if shown else np.zeros((0, 2))
+        flat = np.vstack(shown) if shown else np.zeros((0, 2))
         self._colour.rgb = UNTAKEN if untaken else TAKEN
-        self._points.point.setValues(0, len(points), [(x, y, 0.0) for x, y in points.tolist()])
-        self._points.point.setNum(len(points))
-        self._lines.numVertices.setValues(0, len(shown), list(map(len, shown)))
-        self._lines.numVertices.setNum(len(shown))
+        fill_points(self._points.point, np.column_stack([flat, np.zeros(len(flat))]))
+        fill_whole_numbers(self._lines.numVertices, list(map(len, shown)))
 
     def end(self) -> None:
         """Take them out of the view, where they still are."""

@@ -117,8 +117,7 @@ def _block_edges(ring: list[Any], floor_mm: float) -> list[list[Any]]:
 
 def show_strips(points: Any, shape: Any, strips: list[list[Any]]) -> None:
     """Let nodes of coordinates and of lines or faces show strips of points."""
-    flat = [point for strip in strips for point in strip]
-    points.point.setValues(0, len(flat), flat)
-    points.point.setNum(len(flat))
-    shape.numVertices.setValues(0, len(strips), [len(strip) for strip in strips])
-    shape.numVertices.setNum(len(strips))
+    from CNCStepper.workbench.services.coin_fields import fill_points, fill_whole_numbers
+
+    fill_points(points.point, [point for strip in strips for point in strip])
+    fill_whole_numbers(shape.numVertices, [len(strip) for strip in strips])

@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import trunc
 
-from CNCStepper.errors import Place, ProgramError, Text
+from CNCStepper.errors import Place, ProgramError, Text, one_of
 from CNCStepper.gcode.interpreter.flow.flow_line_parser import FlowLine
 from CNCStepper.gcode.interpreter.flow.subprogram_files import Source
 
@@ -86,7 +86,7 @@ class Blocks:
             what = Text(
                 "{line} has no {keywords} with the label {line2} before it",
                 line=line.keyword,
-                keywords=" or ".join(keywords),
+                keywords=one_of(keywords),
                 line2=line.label,
             )
             raise refused(line, "no-label", what)

@@ -97,7 +97,7 @@ def helps(verb: str) -> list[str]:
     return [text for each in TEXTS.commands_of(command) for text in TEXTS.helps_of(each)]
 
 
-def test_no_verb_refuses_with_words_that_no_catalogue_holds() -> None:
+def test_no_verb_refuses_prints_or_asks_with_words_that_no_catalogue_holds() -> None:
     found = [
         f"{path.relative_to(ROOT)}:{line}: {words}"
         for path in sorted(TEXTS.VERBS.rglob("*.py"))
@@ -105,6 +105,11 @@ def test_no_verb_refuses_with_words_that_no_catalogue_holds() -> None:
     ]
     assert found == [], "give the words as Text(template, key=value)"
     assert list(TEXTS.unmarked('raise click.UsageError(f"no {way}")')) == [(1, "f'no {way}'")]
+    assert list(TEXTS.unmarked('click.echo(f"nothing {way}" if way else "none is open")')) == [
+        (1, "nothing {0}"),
+        (1, "none is open"),
+    ]
+    assert list(TEXTS.unmarked('click.echo(f"{x:.3f} mm")\nclick.echo(told["text"] or join("all of it"))')) == []
 
 
 def test_what_click_says_is_in_the_catalogue() -> None:

@@ -72,7 +72,10 @@ def test_a_square_and_a_circle_end_where_they_began_and_leave_the_modes(address:
 
 def test_relays_are_switched_one_by_one_and_a_circle_waits_for_the_power_to_be_off(address: str) -> None:
     said = on_bench(address, "relays", "--seconds", 0.1)
-    assert said.split("\n")[:2] == ["spindle_cw: on", "spindle_cw: off"] and "flood: on\nflood: off" in said
+    assert (
+        said.split("\n")[:2] == ["spindle_cw: switched on", "spindle_cw: switched off"]
+        and "flood: switched on\nflood: switched off" in said
+    )
     unknown = called("machine-test", "relays", "oxygen", "--port", address, "--machine", "table-a")
     assert unknown.returncode == 1 and "has no relay 'oxygen'" in unknown.stderr
     called("console", "--port", address, answer="M3S1000\nquit\n")

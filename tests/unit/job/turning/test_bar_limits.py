@@ -124,7 +124,7 @@ def test_a_bore_goes_into_the_hole_that_is_there(profile, code, value, limit):
         ({"profile": [{"name": "part", "points": [[float("inf"), 0], [9, -9]]}]}, "profile.0.points.0.point.0 must be"),
         ({"profile": [{"name": "part", "points": [[9, 0], {"to": [9, -9], "arc": "cw", "radius_mm": 0}]}]},
          "profile.0.points.1.corner.radius_mm must be"),
-        ({"profile": [{"name": "part", "points": []}]}, "at least 2 items"),
+        ({"profile": [{"name": "part", "points": []}]}, "at least 2 values"),
     ],
 )  # fmt: skip
 def test_a_job_whose_parts_cannot_be_is_refused(changes, says):
