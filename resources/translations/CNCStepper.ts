@@ -4111,10 +4111,6 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>A serial port, or an address as socket://192.168.0.7:23</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
             <translation type="unfinished"></translation>
         </message>
@@ -5916,6 +5912,10 @@
         </message>
         <message>
             <source>Find the cause, then home the machine or unlock it.</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Findings</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -11262,6 +11262,10 @@ the height</source>
         </message>
         <message>
             <source>What to do</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>What to do when …</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

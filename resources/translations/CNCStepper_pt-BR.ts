@@ -4111,10 +4111,6 @@
             <translation>Uma porta serial, ou um endereço como 192.168.0.7:23</translation>
         </message>
         <message>
-            <source>A serial port, or an address as socket://192.168.0.7:23</source>
-            <translation>Uma porta serial, ou um endereço como socket://192.168.0.7:23</translation>
-        </message>
-        <message>
             <source>A share of the machine's greatest power; 0: that of the chart</source>
             <translation>Uma parte da potência máxima da máquina; 0: a da tabela</translation>
         </message>
@@ -5917,6 +5913,10 @@
         <message>
             <source>Find the cause, then home the machine or unlock it.</source>
             <translation>Encontre a causa, depois referencie a máquina ou destrave-a.</translation>
+        </message>
+        <message>
+            <source>Findings</source>
+            <translation>Ocorrências</translation>
         </message>
         <message>
             <source>Findings ({0})</source>
@@ -11265,6 +11265,10 @@ altura</translation>
         <message>
             <source>What to do</source>
             <translation>O que fazer</translation>
+        </message>
+        <message>
+            <source>What to do when …</source>
+            <translation>O que fazer quando …</translation>
         </message>
         <message>
             <source>What was found in it</source>

@@ -16,7 +16,7 @@ from CNCStepper.cycles.catalogue import CYCLES, cycle_class
 from CNCStepper.workbench.features.base import Feature
 from CNCStepper.workbench.help.feature_classes import CLASSES
 from CNCStepper.workbench.help.object_tables import properties_of_type
-from CNCStepper.workbench.help.topics import GUIDE_PAGES, OBJECT_TOPICS, TOPIC_OF, slug
+from CNCStepper.workbench.help.topics import CODES, GUIDE_PAGES, OBJECT_TOPICS, REFUSALS, TOPIC_OF, refusals_page, slug
 from CNCStepper.workbench.machines.declaration import key_of_row, rows, tables
 from helpers.tools import TOOLS, load
 
@@ -132,6 +132,13 @@ def test_a_link_out_of_the_manual_becomes_words_and_code_stays() -> None:
     whole = manual.whole_links("b/c.md", text, pages)
     assert whole == "[one](../a.md#one) [none](../a.md) gone [web](https://x.y)\n```\n[code](nowhere)\n```\n"
     assert manual.headings(pages["b/c.md"]) == {slug("Two x")}
+
+
+@pytest.mark.parametrize(("language", "begin"), [("en", "# What to do when"), ("pt_BR", "# O que fazer quando")])
+def test_the_help_of_the_window_leads_to_the_refusals(language: str, begin: str) -> None:
+    assert f"]({REFUSALS})" in manual.object_pages.contents_page(str)
+    page = refusals_page(language)
+    assert page.startswith(begin) and re.findall(r"\]\(([^)]*)\)", page) == [CODES]
 
 
 def test_every_guide_is_in_the_contents() -> None:

@@ -284,7 +284,8 @@ def _keep_dtr(port: Any) -> bool:
 
 def port_refusal(name: str, error: Exception) -> CNCStepperError:
     """Return what to do about a port that could not be opened."""
-    number, text = _error_number(error), str(error)
+    cause = _system_error(error)
+    number, text, said = cause and cause.errno, str(error), cause_of(cause or error)
     if name.startswith(("socket://", "rfc2217://")) and not re.match(r"\w+://[^/:]+:\d+", name):
         return LinkError(
             "port-name", Text("'{name}' names no port number", name=name), advice="write socket://host:port"
@@ -292,13 +293,13 @@ def port_refusal(name: str, error: Exception) -> CNCStepperError:
     if name.startswith(NETWORK):
         return LinkError(
             "port-silent",
-            Text("nothing answers at {name}: {text}", name=name, text=text),
+            Text("nothing answers at {name}: {text}", name=name, text=said),
             advice="start it, or correct the URL",
         )
     if "://" in name:
         return LinkError(
             "port-name",
-            Text("{name} is no port: {text}", name=name, text=text),
+            Text("{name} is no port: {text}", name=name, text=said),
             advice="give a device name or socket://host:port",
         )
     if number == errno.ENOENT or "FileNotFoundError" in text:
@@ -312,15 +313,15 @@ def port_refusal(name: str, error: Exception) -> CNCStepperError:
             "port-busy", Text("{name} is in use", name=name), advice="close the other program that holds it"
         )
     return LinkError(
-        "port-unusable", Text("{name} cannot be used as a serial port: {text}", name=name, text=text), advice=_plug_in()
+        "port-unusable", Text("{name} cannot be used as a serial port: {text}", name=name, text=said), advice=_plug_in()
     )
 
 
-def _error_number(error: BaseException | None) -> int | None:
-    """Return the operating system's number, from the error or from the one that it covers."""
+def _system_error(error: BaseException | None) -> OSError | None:
+    """Return the operating system's own error with its number: this one, or the one that it covers."""
     while error is not None:
         if isinstance(error, OSError) and error.errno:
-            return error.errno
+            return error
         error = error.__context__
     return None
 

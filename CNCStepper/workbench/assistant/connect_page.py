@@ -38,7 +38,7 @@ class ConnectPage(Page):
         self.port.setObjectName(f"{NAME}_port")
         self.port.setEditable(True)
         self.port.setAccessibleName(tr("Port"))
-        self.port.setToolTip(tr("A serial port, or an address as socket://192.168.0.7:23"))
+        self.port.setToolTip(tr("A serial port, or an address as 192.168.0.7:23"))
         self.port.setSizeAdjustPolicy(QtGui.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.port.editTextChanged.connect(guarded(self.refresh))
         self.baud = combo("baud", [(str(rate), str(rate)) for rate in BAUDS], self.refresh)

@@ -12,7 +12,15 @@ from collections.abc import Callable, Iterable, Iterator
 
 from CNCStepper.control.protocol.grbl.firmware import FIRMWARES, Firmware
 from CNCStepper.workbench.features.base import BOOL, POINTS, POSITION, TEXT, Property
-from CNCStepper.workbench.help.topics import CODES, GUIDE_PAGES, OBJECT_TOPICS, PROFILE, ObjectTopic, object_address
+from CNCStepper.workbench.help.topics import (
+    CODES,
+    GUIDE_PAGES,
+    OBJECT_TOPICS,
+    PROFILE,
+    REFUSALS,
+    ObjectTopic,
+    object_address,
+)
 from CNCStepper.workbench.services.choice_labels import english_words_of
 from CNCStepper.workbench.services.translation import later
 
@@ -37,6 +45,7 @@ YES, NO, EMPTY = later("yes"), later("no"), later("empty")
 HELP, GUIDES_TITLE, FIELDS_TITLE = later("Help"), later("Guides"), later("Panels and their fields")
 PROFILE_TITLE = later("Fields of a machine")
 CODES_TITLE = later("Alarms and errors of controllers")
+REFUSALS_TITLE = later("What to do when …")
 CODES_ABOUT = later("What a number of a controller means, and what to do. F1 works in every panel: it opens its page.")
 ALARMS_OF, ERRORS_OF = later("{0}: alarms"), later("{0}: errors")
 NUMBER, MEANING, TO_DO = later("Number"), later("Meaning"), later("What to do")
@@ -100,6 +109,7 @@ def contents_page(tr: Translate, above: str = "") -> str:
     """Return the contents of the help; above: Markdown below the title."""
     lines = [f"# {tr(HELP)}", "", *([above, ""] if above else []), f"## {tr(GUIDES_TITLE)}", ""]
     lines += [f"- [{tr(guide.title)}]({guide.file})" for guide in GUIDE_PAGES]
+    lines.append(f"- [{tr(REFUSALS_TITLE)}]({REFUSALS})")
     lines += [f"- [{tr(CODES_TITLE)}]({CODES})", "", f"## {tr(FIELDS_TITLE)}", ""]
     lines += [f"- [{tr(topic.title)}]({object_address(topic.type)})" for topic in OBJECT_TOPICS]
     lines.append(f"- [{tr(PROFILE_TITLE)}]({PROFILE})")

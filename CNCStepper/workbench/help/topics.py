@@ -2,7 +2,8 @@
 """The pages of the help: the guides of docs/user-guide in both languages, and one page for each kind of object.
 
 A page is named by its address: "installing.md" is a guide, "objects/CNCStepper_Pocket" the page of an object's
-fields, "machine-profile" that of a machine's fields, "contents" the list of all, "controller-codes" alarms and errors.
+fields, "machine-profile" that of a machine's fields, "contents" the list of all, "controller-codes" alarms and errors,
+"refusals" what to do when something is refused.
 Nothing here loads FreeCAD or Qt.
 """
 
@@ -16,7 +17,9 @@ from CNCStepper.workbench import packages
 from CNCStepper.workbench.services.translation import later
 
 CONTENTS, CODES, PROFILE, OBJECTS_FOLDER = "contents", "controller-codes", "machine-profile", "objects/"
+REFUSALS = "refusals"
 GUIDES = packages.ROOT / "docs" / "user-guide"
+REFUSALS_PAGE = packages.ROOT / "docs" / "manual" / "refusals.md"
 CYCLE_PICTURES = packages.ROOT / "docs" / "pictures" / "cycles"
 HEADING_SIGNS = re.compile(r"[^\w\- ]")
 PORTUGUESE = "pt_BR"
@@ -111,6 +114,13 @@ def guide_file(address: str, language: str) -> Path:
     """Return the file of a guide in a language, in English where it has no other; address: "sending/link.md"."""
     wanted = GUIDES / (address.removesuffix(".md") + SUFFIXES.get(language, ".md"))
     return wanted if wanted.exists() else GUIDES / address
+
+
+def refusals_page(language: str) -> str:
+    """Return the page about refusals in a language, in English where it has no other, with the links of the help."""
+    wanted = REFUSALS_PAGE.with_suffix(SUFFIXES.get(language, ".md"))
+    file = wanted if wanted.exists() else REFUSALS_PAGE
+    return file.read_text("utf-8").replace(f"](../{CODES}.md)", f"]({CODES})")
 
 
 def address_of(file: Path) -> str:

@@ -26,9 +26,11 @@ from CNCStepper.workbench.help.topics import (
     GUIDES,
     OBJECTS_FOLDER,
     PROFILE,
+    REFUSALS,
     TOPIC_OF,
     address_of,
     guide_file,
+    refusals_page,
     slug,
 )
 from CNCStepper.workbench.services.front_window import in_front
@@ -87,11 +89,13 @@ class HelpWindow(QtGui.QDialog):
         self.ahead: list[tuple[str, str]] = []
         self.browser = Page(self)
         self.browser.setObjectName(f"{NAME}_text")
+        self.browser.setAccessibleName(tr("CNCStepper help"))
         self.browser.setOpenLinks(False)
         self.browser.anchorClicked.connect(guarded(self._follow))
         self.search = QtGui.QLineEdit(self)
         self.search.setObjectName(f"{NAME}_search")
         self.search.setPlaceholderText(tr("Search in this page"))
+        self.search.setAccessibleName(tr("Search in this page"))
         self.search.returnPressed.connect(guarded(self.find_next))
         self._arrange()
         threading.Thread(target=classes_by_type, daemon=True).start()  # for pages of objects that are not open
@@ -172,7 +176,7 @@ class HelpWindow(QtGui.QDialog):
 
     def _address_of_link(self, text: str) -> str:
         """Return the address of the page that a link names, "" where it names none of ours."""
-        if not text or text in (CONTENTS, CODES, PROFILE) or text.startswith(OBJECTS_FOLDER):
+        if not text or text in (CONTENTS, CODES, PROFILE, REFUSALS) or text.startswith(OBJECTS_FOLDER):
             return text or self.address
         if FILE_LINK.match(text):
             return ""
@@ -196,6 +200,8 @@ def page(address: str) -> tuple[str, Path]:
     """Return a page's Markdown in FreeCAD's language, and the folder that its addresses begin at."""
     if address == CODES:
         return object_pages.codes_page(tr, translated), GUIDES
+    if address == REFUSALS:
+        return refusals_page(language()), GUIDES
     if address == PROFILE:
         return _machine_page(), GUIDES
     if address.startswith(OBJECTS_FOLDER):

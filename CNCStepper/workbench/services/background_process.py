@@ -164,7 +164,10 @@ def _started(words: list[str], complaints: Any) -> subprocess.Popen:
         )
     except OSError as error:
         raise CNCStepperError(
-            "worker-start", "a process of our own cannot be started", value=str(error), advice="try again"
+            "worker-start",
+            "a process of our own cannot be started",
+            value=error.strerror or str(error),
+            advice="try again",
         ) from error
 
 

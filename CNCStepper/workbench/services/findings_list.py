@@ -30,6 +30,7 @@ class FindingsList(QtGui.QWidget):
         self.setObjectName("CNCStepper_Findings")
         self._rows = QtGui.QListWidget(self)
         self._rows.setObjectName("CNCStepper_Findings_list")
+        self._rows.setAccessibleName(tr("Findings"))
         self._rows.setWordWrap(True)
         self._rows.setAlternatingRowColors(True)
         self._rows.setResizeMode(QtGui.QListView.ResizeMode.Adjust)
@@ -73,7 +74,7 @@ def sentence(finding: Finding) -> str:
 
 def tooltip(finding: Finding) -> str:
     """Return the whole finding with what to do about it."""
-    return "\n".join(part for part in (sentence(finding), translated(finding.advice), f"[{finding.code}]") if part)
+    return "\n".join(filter(None, (sentence(finding), translated(finding.advice))))
 
 
 def _numbers(finding: Finding) -> str:

@@ -138,7 +138,7 @@ def sentence(problem: CNCStepperError) -> str:
     value = translated(problem.value) if isinstance(problem.value, Text) else problem.value
     numbers = [part for part in (value, limit) if part]
     place = f"{problem.place}: " if problem.place else ""
-    return plain(f"{place}{translated(problem.what)}") + (f" ({', '.join(numbers)})" if numbers else "")
+    return plain(f"{place}{translated(problem.what)}" + (f" ({', '.join(numbers)})" if numbers else ""))
 
 
 def _show(

@@ -11,7 +11,7 @@ import re
 
 SCHEME = "socket://"  # the one that an address typed without has
 NUMBER = re.compile(r"\[(?:Errno|WinError) -?\d+\] ?")
-CODE = re.compile(r" \[[a-z0-9]+(?:-[a-z0-9]+)+\](?=[.;]|$)")  # a controller's own words have capitals or a colon
+CODE = re.compile(r" \[[a-z0-9]+(?:-[a-z0-9]+)+\](?=[.;,)]|$)")  # a controller's own words have capitals or a colon
 ADDRESS = re.compile(r"[\w.-]+:\d+|\[[0-9a-fA-F:]+\]:\d+")
 
 
