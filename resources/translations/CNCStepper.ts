@@ -5915,6 +5915,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Findings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Findings ({0})</source>
             <translation type="unfinished"></translation>
         </message>

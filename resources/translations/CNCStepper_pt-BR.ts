@@ -5915,6 +5915,10 @@
             <translation>Encontre a causa, depois referencie a máquina ou destrave-a.</translation>
         </message>
         <message>
+            <source>Findings</source>
+            <translation>Ocorrências</translation>
+        </message>
+        <message>
             <source>Findings ({0})</source>
             <translation>Ocorrências ({0})</translation>
         </message>

@@ -16,6 +16,7 @@ from CNCStepper.workbench.editor.model.error_marks import Change, Marks, joined
 from CNCStepper.workbench.editor.model.syntax_colours import BOLD, colours_on, spans_of
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.translation import tr
 
 LINES_AT_ONCE = 1000  # so many are put in at once, which takes some ms
 KEYS = {"Ctrl+S": "save", "Ctrl+F": "find", "Ctrl+H": "find", "F3": "find_next", "Shift+F3": "find_before"}
@@ -32,6 +33,7 @@ class ProgramEdit(QtGui.QPlainTextEdit):
     def __init__(self, parent: Any = None):
         super().__init__(parent)
         self.setObjectName("CNCStepper_Editor_text")
+        self.setAccessibleName(tr("Program"))
         self.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont))
         self.setLineWrapMode(QtGui.QPlainTextEdit.LineWrapMode.NoWrap)
         self.colours = colours_on(255)

@@ -47,6 +47,7 @@ class EditorBar(QtGui.QWidget):
         layout.addWidget(change)
         self._machines = QtGui.QComboBox()
         self._machines.setObjectName(NAME + "machine")
+        self._machines.setAccessibleName(tr("Machine"))
         self._machines.setToolTip(tr("The machine with the dialect in which the program is read"))
         self._machines.activated.connect(lambda _: self.machine_changed.emit())
         layout.addWidget(self._machines)

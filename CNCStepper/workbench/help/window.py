@@ -89,11 +89,13 @@ class HelpWindow(QtGui.QDialog):
         self.ahead: list[tuple[str, str]] = []
         self.browser = Page(self)
         self.browser.setObjectName(f"{NAME}_text")
+        self.browser.setAccessibleName(tr("CNCStepper help"))
         self.browser.setOpenLinks(False)
         self.browser.anchorClicked.connect(guarded(self._follow))
         self.search = QtGui.QLineEdit(self)
         self.search.setObjectName(f"{NAME}_search")
         self.search.setPlaceholderText(tr("Search in this page"))
+        self.search.setAccessibleName(tr("Search in this page"))
         self.search.returnPressed.connect(guarded(self.find_next))
         self._arrange()
         threading.Thread(target=classes_by_type, daemon=True).start()  # for pages of objects that are not open

@@ -71,6 +71,9 @@ class Letters(QtGui.QDialog):
         self.axis = _named(QtGui.QComboBox(), "axis")
         self.count = _named(QtGui.QSpinBox(), "count")
         self.count.setRange(1, MOST_BY_HAND)
+        names = ((self.slider, tr("Pulse")), (self.axis, tr("Axis")), (self.count, tr("Pulses")))
+        for widget, name in names:
+            widget.setAccessibleName(name)
         self.minus = _button("minus", tr("Pulses −"), lambda: self._by_hand(-1))
         self.plus = _button("plus", tr("Pulses +"), lambda: self._by_hand(1))
         self._arrange()

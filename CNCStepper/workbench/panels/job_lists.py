@@ -21,12 +21,13 @@ from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded, note
 from CNCStepper.workbench.services.number_format import planned_text
 from CNCStepper.workbench.services.theme_colours import letters
-from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.translation import later, tr
 
 FEWEST_ROWS, MOST_ROWS = 2, 5  # that are seen at once
 ICON_PX = 16
 SPARE_PX = 6  # with less Qt shows a scroll bar: what a style adds is not known before the list is seen
 CUTTER = "CNCStepper_Tool"
+TITLES = {"operations": later("Operations"), "tools": later("Tools"), "clamps": later("Clamps")}
 CHECKED, UNCHECKED = QtCore.Qt.CheckState.Checked, QtCore.Qt.CheckState.Unchecked
 
 
@@ -41,6 +42,7 @@ class ObjectList(QtGui.QWidget):
         self.name = f"{NAME}_{name}"
         self.list = QtGui.QListWidget(self)
         self.list.setObjectName(self.name)
+        self.list.setAccessibleName(tr(TITLES[name]))
         self.list.setIconSize(QtCore.QSize(ICON_PX, ICON_PX))
         self.list.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.note = note_label(f"{self.name}_error", ERROR_COLOUR, self)

@@ -226,6 +226,7 @@ class ChartValueField(NumberField):
         self.reset.setObjectName(f"{NAME}_cut_{self.entry.key}_reset")
         self.reset.setIcon(self.reset.style().standardIcon(QtGui.QStyle.StandardPixmap.SP_BrowserReload))
         self.reset.setToolTip(tr("Take the chart's value again"))
+        self.reset.setAccessibleName(tr("Take the chart's value again"))
         self.reset.setAutoRaise(True)
         self.reset.clicked.connect(guarded(self.take_chart))
         row.addWidget(self.reset)

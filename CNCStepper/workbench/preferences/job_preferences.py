@@ -38,8 +38,10 @@ class JobPreferences:
         self.thickness.setRange(LEAST_MM, MOST_MM)
         self.thickness.setDecimals(DECIMALS)
         self.thickness.setSuffix(" mm")
+        self.thickness.setAccessibleName(tr("Stock under a drawing"))
         self.folder = QtGui.QLineEdit(self.form)
         self.folder.setPlaceholderText(tr("beside the document"))
+        self.folder.setAccessibleName(tr("Folder of programs"))
         self.card = QtGui.QCheckBox(tr("Show the first steps when the workbench opens"), self.form)
         names = {"thickness": self.thickness, "folder": self.folder, "card": self.card}
         for name, widget in names.items():
@@ -92,7 +94,7 @@ class JobPreferences:
         rows = QtGui.QFormLayout(jobs)
         for box in self.choices.values():
             rows.addRow(box.accessibleName(), box)
-        rows.addRow(tr("Stock under a drawing"), self.thickness)
+        rows.addRow(self.thickness.accessibleName(), self.thickness)
         programs = QtGui.QGroupBox(tr("Programs"), self.form)
         browse = QtGui.QPushButton(tr("Choose…"), programs)
         browse.setObjectName(f"{PREFIX}_browse")

@@ -30,6 +30,7 @@ class FindingsList(QtGui.QWidget):
         self.setObjectName("CNCStepper_Findings")
         self._rows = QtGui.QListWidget(self)
         self._rows.setObjectName("CNCStepper_Findings_list")
+        self._rows.setAccessibleName(tr("Findings"))
         self._rows.setWordWrap(True)
         self._rows.setAlternatingRowColors(True)
         self._rows.setResizeMode(QtGui.QListView.ResizeMode.Adjust)

@@ -71,6 +71,8 @@ class ConnectionView(QtGui.QWidget):
             self.baud: later("The baud rate of the serial port"),
             self.speed: later("How many times faster than a real one the virtual machine moves"),
         }
+        for box in (self.baud, self.speed):
+            box.setAccessibleName(tr(self._tips[box]))
         self.button = widgets.named(KeyButton(), "Connect")
         letters = self.button.fontMetrics()
         widest = max(letters.boundingRect(text).width() for text in (tr("Connect"), tr("Disconnect")))

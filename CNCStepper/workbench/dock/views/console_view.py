@@ -55,6 +55,7 @@ class ConsoleView(QtGui.QWidget):
         self.said.setAccessibleName(tr("Console"))
         self.line = widgets.named(TypedLine(), "ConsoleLine")
         self.line.setPlaceholderText(tr("Type a line: $$, $#, G0 X10"))
+        self.line.setAccessibleName(tr("Type a line: $$, $#, G0 X10"))
         fixed = QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont)
         for widget in (self.said, self.line):
             widget.setFont(fixed)

@@ -69,6 +69,7 @@ class JogView(QtGui.QWidget):
     def _arrow(self, name: str, axis: str, sign: int) -> Any:
         arrow = widgets.button(f"Jog{name}", f"{axis.upper()}{'+' if sign > 0 else '−'}", icon=f"Jog{name}")
         arrow.setFocusPolicy(QtCore.Qt.FocusPolicy.NoFocus)  # no key may move the machine
+        arrow.setAccessibleName(f"{tr('Jog')} {arrow.text()}")
         arrow.setMinimumHeight(arrow.sizeHint().height() + 8)
         arrow.pressed.connect(guarded(partial(self._pressed, arrow, axis, sign)))
         arrow.released.connect(guarded(self._release))
@@ -78,6 +79,7 @@ class JogView(QtGui.QWidget):
         self.group = QtGui.QButtonGroup(self)
         buttons = [self._choice(self._lengths.step_text(step, point)) for step in self._lengths.steps]
         for button in buttons:
+            button.setAccessibleName(f"{tr('Step ({0})').format(self._lengths.name)}: {button.text()}")
             button.setToolTip(tr("How far one click moves the machine."))
         buttons[DEFAULT_STEP].setChecked(True)
         return widgets.row(QtGui.QLabel(tr("Step ({0})").format(self._lengths.name)), *buttons)
@@ -100,6 +102,7 @@ class JogView(QtGui.QWidget):
         self.feed.setRange(1.0, LONGEST_FEED_MM_MIN / self._lengths.mm)
         self.feed.setValue(settings.jog_feed_mm_min() / self._lengths.mm)
         self.feed.setPrefix(tr("Feed") + " ")
+        self.feed.setAccessibleName(tr("Feed"))
         self.feed.setSuffix(f" {self._lengths.speed_name}")
         self.feed.setToolTip(tr("How fast the machine moves while jogging; it never goes faster than it can."))
         self.feed.valueChanged.connect(guarded(self._remember))

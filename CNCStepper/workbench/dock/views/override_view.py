@@ -43,6 +43,7 @@ class OverrideView(QtGui.QWidget):
             layout.addWidget(self.figures[kind], line, 1)
             for shown, step, place, width in steps:
                 button = widgets.button(f"Override_{kind}_{step}", tr(shown), partial(change, kind, step))
+                button.setAccessibleName(f"{tr(text)}: {tr(shown)}")
                 self._buttons.append(button)
                 layout.addWidget(button, line, place, 1, width)
         for place in range(2, 2 + len(STEPS)):

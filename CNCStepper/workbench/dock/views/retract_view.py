@@ -88,6 +88,7 @@ class RetractView(QtGui.QWidget):
         box.setValue(FIRST_MM / self._lengths.mm)
         box.setSuffix(f" {self._lengths.name}")
         box.setToolTip(tr("How far one click goes along the cut."))
+        box.setAccessibleName(tr("How far one click goes along the cut."))
         return box
 
     def _line_box(self) -> Any:
@@ -95,6 +96,7 @@ class RetractView(QtGui.QWidget):
         box.setRange(1, LAST_LINE)
         box.setPrefix(tr("Line") + " ")
         box.setToolTip(tr("A line of the program that was cut already."))
+        box.setAccessibleName(tr("A line of the program that was cut already."))
         return box
 
 

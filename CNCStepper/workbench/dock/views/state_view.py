@@ -100,6 +100,7 @@ class PositionView(QtGui.QWidget):
             axis: widgets.button(f"Zero{axis}", tr("{0} = 0").format(axis), partial(set_zero, axis)) for axis in AXES
         }
         for line, axis in enumerate(AXES, 1):
+            self.zeros[axis].setAccessibleName(f"{tr('Work zero')} {axis}")
             name = widgets.caption(axis)
             for place, widget in enumerate((name, self.work[axis], self.machine[axis], self.zeros[axis])):
                 layout.addWidget(widget, line, place)

@@ -43,6 +43,7 @@ class PartTable(QtGui.QTableWidget):
         super().__init__(0, len(columns) + 2, parent)
         self.columns = tuple(columns)
         self.setObjectName(f"{NAME}_parts")
+        self.setAccessibleName(tr("Parts"))
         self.setHorizontalHeaderLabels([tr("Name"), tr("Placed"), *(column.title for column in columns)])
         for number, column in enumerate(columns, start=FIRST_CELL):
             self.horizontalHeaderItem(number).setToolTip(column.tip)
@@ -103,6 +104,7 @@ class PartTable(QtGui.QTableWidget):
             cell.setFixedWidth(cell.fontMetrics().averageCharWidth() * 6)
             cell.editingFinished.connect(guarded(lambda *_: self.edited.emit()))
         cell.setObjectName(f"{NAME}_{column.key}_{row}")
+        cell.setAccessibleName(f"{column.title} {row + 1}")
         cell.setToolTip(column.tip)
         return cell
 
