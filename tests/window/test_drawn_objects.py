@@ -177,6 +177,13 @@ def test_a_shape_is_chosen_by_its_picture(hand: Hand, document: Any, language: s
     hand.wait(lambda: not document.Objects, 10, "nothing to be left")
 
 
+def test_shapes_are_shown_where_no_document_is_open(hand: Hand) -> None:
+    hand.command("CNCStepper_Shapes")
+    hand.wait(lambda: hand.exists("CNCStepper_Panel_shapes"), 20, "the pictures")
+    hand.click("CNCStepper_Panel_cancel")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 10, "the panel to close")
+
+
 def test_a_job_file_is_opened_and_exported(hand: Hand, document: Any, tmp_path: Path) -> None:
     hand.menu("CNCStepper", "Open job")
     choose_file(hand, "CNCStepper_Job_file", ROOT / "examples" / "jobs" / "cycles" / "contour.toml")

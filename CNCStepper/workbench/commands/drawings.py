@@ -170,18 +170,19 @@ class Shapes(Command):
         return missing_packages.why_not() or targets.why_no_panel()
 
     def run(self) -> None:
-        """Show the pictures."""
+        """Show the pictures; FreeCAD 1.1 shows no task panel where no document is open."""
+        import FreeCAD
+
         from CNCStepper.workbench.panels.shape_gallery import open_gallery
 
+        if targets.document() is None:
+            FreeCAD.newDocument()
         open_gallery(self.take)
 
     def take(self, kind: str) -> None:
         """Add a shape of a kind and open the panel of its dimensions."""
-        import FreeCAD
-
         from CNCStepper.drawing.shape_library.shape_families import library_shape
         from CNCStepper.workbench import api
 
-        document = targets.document() or FreeCAD.newDocument()
-        title = tr(library_shape(kind).title)
+        document, title = targets.document(), tr(library_shape(kind).title)
         create(document, title, lambda: labelled(api.add_shape(document, kind), title))
