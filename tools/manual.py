@@ -107,7 +107,7 @@ def pages(language: str, refusals: dict[str, refusal_codes.Refusal]) -> dict[str
     found = {
         f"user-guide/{guide.file}": written_page(DOCS / "user-guide" / guide.file, language) for guide in GUIDE_PAGES
     }
-    found["glossary.md"] = (DOCS / "glossary.md").read_text("utf-8")
+    found["glossary.md"] = written_page(DOCS / "glossary.md", language)
     for name in REFERENCES:
         text = (DOCS / "reference" / f"{name}.md").read_text("utf-8")
         found[f"reference/{name}.md"] = translated_tables(text, said.tr)

@@ -1301,7 +1301,7 @@
         </message>
         <message>
             <source>How far the kerf of a way through the scrap stays from every part</source>
-            <translation>Quanto o corte de um caminho pelo retalho se afasta de cada peça</translation>
+            <translation>Quanto o corte de um caminho pela sobra se afasta de cada peça</translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
@@ -1837,7 +1837,7 @@
         </message>
         <message>
             <source>Loops in the scrap, which make outside corners sharp</source>
-            <translation>Laços no retalho, que deixam vivos os cantos externos</translation>
+            <translation>Laços na sobra, que deixam vivos os cantos externos</translation>
         </message>
         <message>
             <source>Machine</source>
@@ -6740,7 +6740,7 @@
         </message>
         <message>
             <source>How far the kerf of a way through the scrap stays from every part</source>
-            <translation>Quanto o corte de um caminho pelo retalho se afasta de cada peça</translation>
+            <translation>Quanto o corte de um caminho pela sobra se afasta de cada peça</translation>
         </message>
         <message>
             <source>How far the path may be off an ellipse or a B-spline; lines and arcs are exact</source>
@@ -7560,7 +7560,7 @@
         </message>
         <message>
             <source>Loops in the scrap, which make outside corners sharp</source>
-            <translation>Laços no retalho, que deixam vivos os cantos externos</translation>
+            <translation>Laços na sobra, que deixam vivos os cantos externos</translation>
         </message>
         <message>
             <source>Lower right to upper left</source>
@@ -22108,7 +22108,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>lead in and out through scrap</source>
-            <translation>entre e saia pelo retalho</translation>
+            <translation>entre e saia pela sobra</translation>
         </message>
         <message>
             <source>lead times speed is more than axis {axis} can: {lead:.4g} mm at {rpm:.4g} rpm</source>
@@ -23336,7 +23336,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>no way through the scrap leads to what lies at X{x:.3f} Y{y:.3f}</source>
-            <translation>nenhum caminho pelo retalho leva ao que fica em X{x:.3f} Y{y:.3f}</translation>
+            <translation>nenhum caminho pela sobra leva ao que fica em X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>no wheels in</source>
@@ -23824,7 +23824,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>pierce in scrap, and lead in to the contour</source>
-            <translation>perfure no retalho e entre até o contorno</translation>
+            <translation>perfure na sobra e entre até o contorno</translation>
         </message>
         <message>
             <source>pin '{pin}' is no pin of a controller; there are {controller_pins}</source>
@@ -24332,7 +24332,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>route it around the part, through scrap</source>
-            <translation>passe o fio em volta da peça, pelo que vira retalho</translation>
+            <translation>passe o fio em volta da peça, pelo que vira sobra</translation>
         </message>
         <message>
             <source>rows must be a list of tables</source>
@@ -28596,11 +28596,11 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>there is no scrap for the pierce and lead-in of {chain} near X{x:.3f} Y{y:.3f}</source>
-            <translation>não há retalho para a perfuração e a entrada de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
+            <translation>não há sobra para a perfuração e a entrada de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>there is no scrap for the pierce behind a tab of {chain} near X{x:.3f} Y{y:.3f}</source>
-            <translation>não há retalho para a perfuração depois de uma ponte de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
+            <translation>não há sobra para a perfuração depois de uma ponte de {chain} perto de X{x:.3f} Y{y:.3f}</translation>
         </message>
         <message>
             <source>there is no sheet of the stock '{stock}'</source>
@@ -30876,7 +30876,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>{left_out} corner(s) get no loop: there is no scrap for it</source>
-            <translation>{left_out} canto(s) fica(m) sem laço: não há retalho para isso</translation>
+            <translation>{left_out} canto(s) fica(m) sem laço: não há sobra para isso</translation>
         </message>
         <message>
             <source>{left_out} messages were left out: more came than could be read</source>
@@ -31044,7 +31044,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>{missing} cut(s) end without a lead-out: there is no scrap for it</source>
-            <translation>{missing} corte(s) termina(m) sem saída: não há retalho para isso</translation>
+            <translation>{missing} corte(s) termina(m) sem saída: não há sobra para isso</translation>
         </message>
         <message>
             <source>{missing} is missing: absolute arc centres need both words</source>

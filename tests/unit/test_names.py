@@ -41,9 +41,9 @@ WORD = re.compile(r"[A-Z]?[a-z0-9]+|[A-Z]+(?![a-z])")
 COLUMNS = 4  # English, Portuguese, meaning, source
 
 
-def rows() -> list[list[str]]:
-    """Return the cells of the glossary's rows."""
-    lines = (ROOT / "docs" / "glossary.md").read_text("utf-8").splitlines()
+def rows(file: str = "glossary.md") -> list[list[str]]:
+    """Return the cells of a glossary's rows."""
+    lines = (ROOT / "docs" / file).read_text("utf-8").splitlines()
     table = [line for line in lines if line.startswith("| ")]
     return [[cell.strip() for cell in line.strip("|").split("|")] for line in table[1:]]
 
@@ -89,3 +89,5 @@ def test_the_glossary_gives_each_word_once_in_both_languages() -> None:
     assert all(len(row) == COLUMNS and row[0] and row[1] and row[2] for row in words)
     english = [row[0] for row in words]
     assert len(set(english)) == len(english) and english == sorted(english, key=str.casefold)
+    theirs = {row[1]: row[0] for row in rows("glossary.pt-BR.md") if row[2]}
+    assert theirs == {row[0]: row[1] for row in words} and len(set(theirs.values())) == len(theirs)
