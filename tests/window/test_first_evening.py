@@ -18,6 +18,7 @@ from test_dock import D, connected, dock, own_sessions, pocket, says, zeroed  # 
 from CNCStepper.workbench.panels.tools.tool_words import tool_words
 from CNCStepper.workbench.services.choice_labels import words_of
 from CNCStepper.workbench.services.translation import tr
+from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
 P = "CNCStepper_Panel_"
@@ -135,6 +136,26 @@ def test_a_material_gives_the_feeds_that_nobody_has_typed(hand: Hand, document: 
     hand.choose(f"{P}material", hand.main(tr, "not given"))
     hand.wait(lambda: tools()[0].Feed.getValueAs("mm/min") == pytest.approx(800), 10, "a new tool's values again")
     accept(hand)
+
+
+def draw_across() -> None:
+    """Draw a circle that crosses the one that is there."""
+    sketch = FreeCAD.ActiveDocument.addObject("Sketcher::SketchObject", "Across")
+    sketch.addGeometry(Part.Circle(Vector(18, 0, 0), Vector(0, 0, 1), 12), False)
+    FreeCAD.ActiveDocument.recompute()
+
+
+def test_why_a_long_panel_stays_open_is_seen(hand: Hand, document: None) -> None:
+    hand.main(draw_across)
+    begin(hand, "CNCStepper_NewJob", "Round")
+    accept(hand)
+    hand.tree("Round")
+    hand.tree("Across", modifiers=("Ctrl",))
+    hand.command("CNCStepper_Pocket")
+    hand.wait(lambda: hand.exists(f"{P}problem"), 20, "the refusal")
+    hand.click(f"{P}ok")
+    hand.wait(lambda: not places.find(f"{P}problem").visibleRegion().isEmpty(), 20, "the refusal in sight")
+    hand.shot("evening-refused-ok")
 
 
 def combo_text(key: str) -> str:

@@ -461,6 +461,15 @@ class NoteLabel(QtGui.QLabel):
         self.setMinimumHeight(self.heightForWidth(self.width()) if self.text() else 0)
 
 
+def bring_into_view(widget: Any) -> None:
+    """Scroll the panel that a widget stands in until the widget is seen."""
+    area = widget.parentWidget()
+    while area is not None and not isinstance(area, QtGui.QScrollArea):
+        area = area.parentWidget()
+    if area is not None:
+        area.ensureWidgetVisible(widget)
+
+
 def note_label(name: str, colour: str, parent: Any) -> Any:
     """Return a small label that wraps, for notes below fields; it is hidden."""
     note = NoteLabel(parent)

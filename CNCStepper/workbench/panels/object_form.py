@@ -35,7 +35,15 @@ from CNCStepper.workbench.panels.field_errors import (
     model_of_type,
     stock_findings_of,
 )
-from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, Field, RemedyBar, note_label
+from CNCStepper.workbench.panels.fields import (
+    ERROR_COLOUR,
+    NAME,
+    WARNING_COLOUR,
+    Field,
+    RemedyBar,
+    bring_into_view,
+    note_label,
+)
 from CNCStepper.workbench.panels.form import Form
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.panels.operations.planned_times import PlannedTimes
@@ -124,7 +132,7 @@ class Editor(QtGui.QWidget):
             self.form.add_widget(OPERATION_GROUP, self.presets)
 
     def flush(self) -> bool:
-        """Apply what was typed last; return whether all is good, else the keyboard is where it is not.
+        """Apply what was typed last; return whether all is good, else the keyboard is where it is not, or why is seen.
 
         What is still being cut is not good yet: `waiting` says so.
         """
@@ -132,7 +140,13 @@ class Editor(QtGui.QWidget):
         marked = [field for field in self.form.field_order() if field.note.text()]
         if marked:
             marked[0].focus()
+        elif self.refused:
+            self._show_refusal()
         return not marked and not self.refused and not self.waiting
+
+    def _show_refusal(self) -> None:
+        """Scroll to why the object cannot be made: the end of a long panel lies below what is shown."""
+        QtCore.QTimer.singleShot(0, guarded(lambda: self._gone[0] or bring_into_view(self.problem)))
 
     def stop(self) -> None:
         """Let nothing reach the object any more: it may be gone before the form is."""
@@ -217,7 +231,9 @@ class Editor(QtGui.QWidget):
         if self.times is not None:
             self.times.look()
         then, self.then = self.then, None
-        if then is not None and not self.refused:
+        if then is not None and self.refused:
+            self._show_refusal()
+        elif then is not None:
             then()
 
     def _write(self, tried: dict[str, Any], changed: list[str], begun_s: float) -> None:

@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 from CNCStepper.machine.tools.tool_shapes import POINTED
 from CNCStepper.workbench.features.base import value_of
-from CNCStepper.workbench.panels.fields import NAME, WARNING_COLOUR, NumberField, note_label
+from CNCStepper.workbench.panels.fields import NAME, WARNING_COLOUR, NumberField, bring_into_view, note_label
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
@@ -56,11 +56,7 @@ class TipAngleField(NumberField):
             self._scroll.start()
 
     def _bring_into_view(self) -> None:
-        area = self.question.parentWidget()
-        while area is not None and not isinstance(area, QtGui.QScrollArea):
-            area = area.parentWidget()
-        if area is not None:
-            area.ensureWidgetVisible(self.question)
+        bring_into_view(self.question)
 
     def _button(self, angle_deg: int) -> Any:
         button = QtGui.QPushButton(f"{angle_deg}°", self.question)
