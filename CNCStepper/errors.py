@@ -6,6 +6,7 @@ A sentence with values is a `Text`: English for everybody, template and values f
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -15,6 +16,7 @@ from typing import Any
 
 from CNCStepper.safe_text import printable
 
+NUMBER_OF_SYSTEM = re.compile(r"\[(?:Errno|WinError) -?\d+\] ?")
 MOST_CHARACTERS = 4000  # of a part of a sentence: what a file or a library says may be of any length
 
 
@@ -73,7 +75,7 @@ def _value(value: object) -> Any:
         return value.args[0]
     if isinstance(value, CNCStepperError):
         return value.text
-    return str(getattr(value, "strerror", None) or value)  # of the operating system's the words without the number
+    return NUMBER_OF_SYSTEM.sub("", str(value)) if isinstance(value, OSError) else str(value)
 
 
 def _translated(value: Any, look_up: Callable[[str], str]) -> Any:

@@ -90,9 +90,14 @@ def message_of(problem: ErrorDetails) -> str:
     if problem["type"] in WRONG_TYPES:
         return WRONG_TYPES[problem["type"]]
     if problem["type"] in CHOICES:
-        told = QUOTED.findall(str(problem["ctx"][CHOICES[problem["type"]]]))
-        return Text("must be {choices}", choices=one_of(printable(choice, MOST_KEY) for choice in told))
+        return Text("must be {choices}", choices=_choices(str(problem["ctx"][CHOICES[problem["type"]]])))
     return _beyond(problem) or printable(problem["msg"].removeprefix("Value error, "))
+
+
+def _choices(told: str) -> str:
+    """Return the quoted choices of pydantic's words as "'a', 'b' or 'c'"."""
+    *first, last = (printable(choice, MOST_KEY) for choice in QUOTED.findall(told))
+    return Text("{one} or {other}", one=", ".join(first), other=last) if first else last
 
 
 def _beyond(problem: ErrorDetails) -> str:

@@ -9,15 +9,16 @@ from __future__ import annotations
 
 import re
 
+from CNCStepper.errors import NUMBER_OF_SYSTEM
+
 SCHEME = "socket://"  # the one that an address typed without has
-NUMBER = re.compile(r"\[(?:Errno|WinError) -?\d+\] ?")
 CODE = re.compile(r" \[[a-z0-9]+(?:-[a-z0-9]+)+\](?=[.;,)]|$)")  # a controller's own words have capitals or a colon
 ADDRESS = re.compile(r"[\w.-]+:\d+|\[[0-9a-fA-F:]+\]:\d+")
 
 
 def plain(text: str) -> str:
     """Return a message without codes, numbers of errors and `socket://`."""
-    return CODE.sub("", NUMBER.sub("", text)).replace(SCHEME, "")
+    return CODE.sub("", NUMBER_OF_SYSTEM.sub("", text)).replace(SCHEME, "")
 
 
 def port_of_address(typed: str) -> str:
