@@ -146,7 +146,12 @@ class Editor(QtGui.QWidget):
 
     def _show_refusal(self) -> None:
         """Scroll to why the object cannot be made: the end of a long panel lies below what is shown."""
-        QtCore.QTimer.singleShot(0, guarded(lambda: self._gone[0] or bring_into_view(self.problem)))
+
+        def show() -> None:
+            if not self._gone[0]:
+                bring_into_view(self.problem)
+
+        QtCore.QTimer.singleShot(0, guarded(show))
 
     def stop(self) -> None:
         """Let nothing reach the object any more: it may be gone before the form is."""
