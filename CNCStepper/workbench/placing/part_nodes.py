@@ -19,8 +19,8 @@ from CNCStepper.nesting.manual_nesting import ManualNest, PlacedPart
 from CNCStepper.nesting.nesting_model import Placement
 from CNCStepper.nesting.no_fit import convex_pieces
 from CNCStepper.workbench.services.coin_fields import fill_points, fill_whole_numbers
+from CNCStepper.workbench.services.view_colours import Rgb
 
-Rgb = tuple[float, float, float]
 SHEET_RGB, RIM_RGB = (0.93, 0.90, 0.82), (0.35, 0.30, 0.20)
 PART_RGB: Rgb = (0.37, 0.59, 0.83)
 LOCKED_RGB: Rgb = (0.45, 0.48, 0.52)

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.workbench.services.coin_fields import fill_colours, fill_points, fill_whole_numbers
-
-Rgb = tuple[float, float, float]
+from CNCStepper.workbench.services.view_colours import Rgb
 
 
 def separator(*children: Any) -> Any:

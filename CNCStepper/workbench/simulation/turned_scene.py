@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from CNCStepper.workbench.services.view_colours import FEED_RGB, MARKER_RGB, RAPID_RGB
+from CNCStepper.workbench.services.view_colours import FEED_RGB, MARKER_RGB, RAPID_RGB, Rgb
 from CNCStepper.workbench.simulation import coin_nodes as nodes
 from CNCStepper.workbench.simulation.scene import POINTS_AT_ONCE
 
@@ -40,12 +40,12 @@ FIXTURES, TOOLS = ("chuck", "jaws", "tailstock"), ("tool", "holder")
 ABOVE_MM = 0.03  # lines over the section, so that they are seen
 
 
-def tool_rgb(tool: int) -> nodes.Rgb:
+def tool_rgb(tool: int) -> Rgb:
     """Return the colour of a tool, and of the surface that it has cut."""
     return TOOL_RGB[(tool - 1) % len(TOOL_RGB)]
 
 
-def group_rgb(name: str) -> nodes.Rgb:
+def group_rgb(name: str) -> Rgb:
     """Return the colour of a drawn group."""
     kind, _, tool = name.partition("-")
     if kind == "holder":
