@@ -151,7 +151,7 @@ class Reach:
         lines = shapely.linestrings(self._segments)
         for item in waiting:
             gaps = shapely.shortest_line(lines, items[item].chords)
-            for index in np.argsort(shapely.length(gaps)).tolist():
+            for index in np.argsort(shapely.length(gaps).round(9), kind="stable").tolist():
                 if found and shapely.length(gaps[index]) >= found.length_mm:
                     break
                 x, y = gaps[index].coords[0]
@@ -191,7 +191,8 @@ class Reach:
 
 
 def _shorter(one: Connection | None, other: Connection) -> Connection:
-    return other if one is None or other.length_mm < one.length_mm else one
+    """Return the shorter connection; the first of two that differ by rounding alone."""
+    return other if one is None or other.length_mm < one.length_mm - SAME_MM else one
 
 
 def _connection(item: int, way: tuple[Point, ...]) -> Connection:

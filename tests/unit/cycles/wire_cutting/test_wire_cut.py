@@ -83,6 +83,12 @@ def test_without_a_side_it_takes_the_shortest_way_in() -> None:
     assert answer.figures["link_mm"] == pytest.approx(2 * (101.7 - 90.6))
 
 
+@pytest.mark.parametrize("off_mm", [-1e-12, 0.0, 1e-12])
+def test_of_two_ways_in_as_short_rounding_does_not_choose(off_mm: float) -> None:
+    part = box(40, 25 + off_mm, 20, 10)
+    assert cut(part)[0].table().end[0, 1] < 0.0
+
+
 def test_it_leaves_on_the_shortest_way_to_an_edge() -> None:
     parts = (box(10, 25, 10, 10), box(80, 8, 10, 10))
     path, answer = cut(*parts, enter_from="left", leave="edge")
