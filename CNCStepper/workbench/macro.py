@@ -67,6 +67,20 @@ def commit() -> None:
 
 
 @_repeats
+def undo() -> None:
+    """Undo the last step."""
+    _document().undo()
+    _document().recompute()
+
+
+@_repeats
+def redo() -> None:
+    """Do again what was undone last."""
+    _document().redo()
+    _document().recompute()
+
+
+@_repeats
 def add(name: str, freecad_type: str, proxy: str = "", kind: str = "") -> None:
     """Make an object; proxy: the class of one of ours; kind: of a shape of the library."""
     obj = _document().addObject(freecad_type, name)

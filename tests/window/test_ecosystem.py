@@ -15,8 +15,7 @@ import pytest
 from PySide import QtGui
 
 from CNCStepper.workbench import api
-from CNCStepper.workbench.document import program_file
-from CNCStepper.workbench.features.base import proxy_type, value_of
+from window_helpers import macros
 from window_helpers.hand import Hand
 
 DRAWING = """<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="30mm" viewBox="0 0 40 30">
@@ -33,23 +32,6 @@ def document(hand: Hand) -> Iterator[Any]:
         return made
 
     yield hand.main(make)
-
-
-def begin_recording(hand: Hand, folder: Path) -> Path:
-    """Start FreeCAD's own macro recording by its dialog; return the file to be written."""
-    hand.command("Std_DlgMacroRecord")  # by its button: run from Python, FreeCAD 0.20 lets no other thread run Python
-    hand.wait(lambda: hand.exists("lineEditPath"), 10, "FreeCAD's dialog")
-    hand.fill("lineEditPath", "peca")
-    path = Path(hand.text("lineEditMacroPath")) / "peca.FCMacro"
-    hand.click("buttonStart")
-    hand.wait(lambda: not hand.exists("lineEditPath"), 10, "the recording")
-    return path
-
-
-def end_recording() -> None:
-    """Stop the recording; from FreeCAD 1.0 on the command that has begun it does so."""
-    stop = "Std_MacroStopRecord"
-    FreeCADGui.runCommand(stop if stop in FreeCADGui.Command.listAll() else "Std_DlgMacroRecord")
 
 
 def close_panel(hand: Hand) -> None:
@@ -93,39 +75,22 @@ def work(hand: Hand, document: Any, drawing: Path) -> None:
     close_panel(hand)
 
 
-def state(document: Any) -> dict[str, Any]:
-    """Return all that is in a document: properties of ours that a person sets, labels, shapes, programs."""
-    found = {}
-    for obj in document.Objects:
-        values = {"type": proxy_type(obj) or obj.TypeId, "label": obj.Label}
-        if proxy_type(obj):
-            values |= {entry.name: str(value_of(obj, entry)) for entry in obj.Proxy.PROPERTIES if not entry.output}
-        if hasattr(obj, "Shape"):
-            values["length"] = round(obj.Shape.Length, 9)
-        if proxy_type(obj) == "CNCStepper_Job":
-            values["program"] = program_file.load(obj)
-        found[obj.Name] = values
-    return found
-
-
 def test_a_recorded_macro_makes_the_same_document(hand: Hand, document: Any, tmp_path: Path) -> None:
     drawing = tmp_path / "furo ç.svg"
     drawing.write_text(DRAWING, "utf-8")
-    path = begin_recording(hand, tmp_path)
+    path = macros.begin_recording(hand)
     work(hand, document, drawing)
-    hand.main(end_recording)
-    hand.wait(path.is_file, 10, "the macro's file")
-    text = path.read_text("utf-8")
+    text = macros.end_recording(hand, path)
     assert "Gui.runCommand('CNCStepper" not in text
-    wanted = hand.main(lambda: state(document))
+    wanted = without_texts(hand.main(macros.state, document))
     again = hand.main(lambda: FreeCAD.newDocument("Again"))
-    hand.main(lambda: exec(compile(text, str(path), "exec"), {"__name__": "__main__"}), limit_s=120)
-    hand.wait(lambda: state(again) == expected(wanted), 60, "the same document")
+    macros.run(hand, text)
+    hand.wait(lambda: macros.state(again) == wanted, 60, "the same document")
 
 
-def expected(wanted: dict[str, Any]) -> dict[str, Any]:
+def without_texts(held: dict[str, Any]) -> dict[str, Any]:
     """Return the state of a document without the text that a script has made."""
-    return {name: values for name, values in wanted.items() if values["type"] != "CNCStepper_Text"}
+    return {key: value for key, value in held.items() if not key.startswith("CNCStepper_Text.")}
 
 
 def test_freecads_test_framework_runs_our_tests_of_the_window(hand: Hand) -> None:

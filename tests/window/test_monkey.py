@@ -8,18 +8,18 @@ SEED=n` takes it again.
 from __future__ import annotations
 
 import os
+from contextlib import suppress
+from pathlib import Path
 from typing import Any
 
-import FreeCAD
 import FreeCADGui
-import Part
 import pytest
 
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.wire.read_back import refused_lines
 from CNCStepper.workbench import api
-from CNCStepper.workbench.features.base import problem_of, proxy_type, value_of
-from CNCStepper.workbench.features.catalogue import OPERATIONS
+from CNCStepper.workbench.features.base import is_job, problem_of, proxy_type, value_of
+from window_helpers import macros, monkey_documents
 from window_helpers.hand import Hand
 from window_helpers.monkey import Monkey
 
@@ -29,25 +29,6 @@ STEPS_A_WALK = 100
 COMPUTED = {"program"}
 pytestmark = pytest.mark.window("monkey")
 WALKS = range(FIRST_SEED, FIRST_SEED + max(1, STEPS // STEPS_A_WALK))
-
-
-def draw() -> Any:
-    """Return a document with a job of milling and every operation of it, texts and shapes; nothing to undo."""
-    document = FreeCAD.newDocument("Monkey")
-    document.UndoMode = 1
-    # No object of Draft: its editor, which a double click opens, crashes FreeCAD 1.1.3 when the document is closed.
-    outline = document.addObject("Part::Feature", "Outline")
-    outline.Shape = Part.makePolygon([(-30, -20, 0), (30, -20, 0), (30, 20, 0), (-30, 20, 0), (-30, -20, 0)])
-    job = api.new_job(document)
-    api.add_tool(job, diameter_mm=6)
-    for cycle, kind in OPERATIONS.items():
-        if "milling" in kind.BY:
-            api.add_operation(job, cycle, outline)
-    api.add_text(document, "ABC")
-    api.add_shape(document, "flange")
-    document.recompute()
-    document.clearUndos()
-    return document
 
 
 def held(document: Any) -> dict[str, Any]:
@@ -73,31 +54,36 @@ def not_undone(document: Any, before: dict[str, Any]) -> dict[str, Any]:
 
 def unreadable(document: Any) -> list[str]:
     """Return why lines of the job's program are refused, none where it has no program that could be saved or sent."""
-    (job,) = [obj for obj in document.Objects if proxy_type(obj) == "CNCStepper_Job"] or [None]
-    try:
-        text = api.program_text(job) if job is not None else ""
-    except CNCStepperError:
-        return []
-    return [str(error) for error in refused_lines(text, None, "grbl", "program")]
+    found = []
+    for job in (obj for obj in document.Objects if is_job(obj)):
+        with suppress(CNCStepperError):
+            found += [str(error) for error in refused_lines(api.program_text(job), None, "grbl", "program")]
+    return found
 
 
 @pytest.mark.parametrize("seed", WALKS)
-def test_a_walk_of_random_steps(hand: Hand, seed: int) -> None:
-    document = hand.main(draw, limit_s=300)
+def test_a_walk_of_random_steps(hand: Hand, seed: int, tmp_path: Path) -> None:
+    kind = tuple(monkey_documents.KINDS)[seed % len(monkey_documents.KINDS)]
+    document = hand.main(monkey_documents.draw, kind, tmp_path, limit_s=300)
     hand.main(FreeCADGui.SendMsgToActiveView, "ViewFit")
-    before = hand.main(held, document)
+    before, copy = hand.main(held, document), tmp_path / f"{document.Name}.FCStd"
+    hand.main(document.saveCopy, str(copy))
     monkey = Monkey(hand, seed)
     hand.expect_report("")  # refusals are said there too: what may not be is a traceback
+    recorded = macros.begin_recording(hand, f"walk-{seed}")
     try:
         while monkey.steps < STEPS_A_WALK:
             monkey.step()
             assert hand.main(not_undone, document, before) == {}
         monkey.leave()
+        macro = macros.end_recording(hand, recorded)
         traces = [line.text for line in hand.report() if "Traceback" in line.text or line.text.startswith("  File ")]
         assert not traces, traces
         assert hand.main(unreadable, document, limit_s=120) == []
+        made = hand.main(macros.state, document)
         monkey.undo_all(document)
         assert hand.main(held, document) == before
+        macros.run_on_copy(hand, macro, copy, made)
     except BaseException:
-        print(f"walk {seed}, the last steps: {list(monkey.done)}", flush=True)
+        print(f"walk {seed} over {kind}, the last steps: {list(monkey.done)}", flush=True)
         raise

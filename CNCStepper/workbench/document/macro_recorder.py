@@ -107,6 +107,14 @@ class Recorder:
         """FreeCAD calls this before a document goes."""
         self.steps.pop(document.Name, None)
 
+    def slotUndoDocument(self, document: Any) -> None:
+        """Write that a step was undone; FreeCAD would not where its undo has ended an open step, which is written."""
+        _write(["macro.undo()"])
+
+    def slotRedoDocument(self, document: Any) -> None:
+        """Write that a step was done again."""
+        _write(["macro.redo()"])
+
     def slotCommitTransaction(self, document: Any) -> None:
         """Write what the transaction has done; FreeCAD calls this when it is kept."""
         step = self.steps.pop(document.Name, None)
