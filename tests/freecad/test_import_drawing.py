@@ -84,6 +84,19 @@ def test_a_reload_keeps_the_objects_and_what_stands_on_them(document: Any, tmp_p
     assert api.program_text(job) != text
 
 
+def test_a_reload_adds_objects_beside_one_that_lies_in_a_nest(document: Any, tmp_path: Path) -> None:
+    path = plate(tmp_path / "a.svg")
+    drawing = api.import_drawing(document, path)
+    edge = document.getObject(names(drawing)["edge"])
+    nest = api.add_nest(document, [edge, *drawing.Group[1:2]], remnants=[drawing.Group[2]])
+    parts, remnants, before = nest.Parts, nest.Remnants, drawing.Group
+    plate(path, more=f'{SECOND}<circle id="third" cx="40" cy="12" r="2"/>')
+    api.reload_drawing(drawing)
+    assert len(drawing.Group) == len(before) + 1
+    assert (nest.Parts, nest.Remnants) == (parts, remnants)
+    assert set(before) < set(drawing.Group)
+
+
 def test_what_the_file_lost_is_told_where_it_was_cut(document: Any, tmp_path: Path) -> None:
     path = plate(tmp_path / "a.svg")
     drawing = api.import_drawing(document, path)

@@ -227,6 +227,7 @@ def applied(obj: Any, imported: ImportedDrawing) -> Iterator[None]:
         matched,
         new_object,
         parts_of_chains,
+        set_members,
         set_part,
         shape_steps,
     )
@@ -249,7 +250,7 @@ def applied(obj: Any, imported: ImportedDrawing) -> Iterator[None]:
         yield
     for gone in [each for each in before if each not in group]:
         obj.Document.removeObject(gone.Name)
-    obj.Group = [*group, *others]
+    set_members(obj, [*group, *others])
     obj.Chains, obj.Faults = len(imported.chains), imported.problems.count
     obj.SharedKerf = imported.kerf_mm or 0.0
     obj.ReadWith = json.dumps({"key": read_key(obj), "state": asdict(imported.state)})

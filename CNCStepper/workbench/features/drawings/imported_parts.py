@@ -21,6 +21,7 @@ from CNCStepper.drawing.drawing import Attributes, Chain
 from CNCStepper.errors import JobError
 from CNCStepper.workbench.drawings.exact_curves import keep_curves
 from CNCStepper.workbench.drawings.wires import wire_of
+from CNCStepper.workbench.features.base import CONTAINERS, LINK
 from CNCStepper.workbench.services.translation import later, tr
 
 BY_LAYER, BY_CHAIN = "layer", "chain"
@@ -161,3 +162,30 @@ def new_object(document: Any, part: ImportedPart) -> Any:
         obj.addProperty("App::PropertyBool", name, GROUP, text, 1)
     obj.addProperty("App::PropertyString", FINGERPRINT, GROUP, later("Of its curves"), 1 | 4)
     return obj
+
+
+def set_members(group: Any, members: list[Any]) -> None:
+    """Let these be the members of a group.
+
+    FreeCAD takes any link of another group for membership, that of a nest to its parts too, and refuses a member of
+    two groups: such links are taken away meanwhile.
+    """
+    if list(group.Group) == members:
+        return
+    links = list(_links_of_other_groups(group, members))
+    for other, name, linked in links:
+        setattr(other, name, [] if isinstance(linked, list) else None)
+    try:
+        group.Group = members
+    finally:
+        for other, name, linked in links:
+            setattr(other, name, linked)
+
+
+def _links_of_other_groups(group: Any, members: list[Any]) -> Iterator[tuple[Any, str, Any]]:
+    """Yield each link of another group to a member but that of its own members: the group, the property, its value."""
+    others = {other for member in members for other in member.InList if hasattr(other, "Group") and other != group}
+    for other in others:
+        for name in other.PropertiesList:
+            if name != "Group" and other.getTypeIdOfProperty(name) in (LINK, CONTAINERS):
+                yield other, name, getattr(other, name)
