@@ -18602,6 +18602,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a task panel is open</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a template cannot be named '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19927,6 +19931,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>close it with &gt;</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>close it with OK or Cancel, and save again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -18639,6 +18639,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um link simbólico de outro usuário, em uma pasta na qual todos podem gravar, não é seguido</translation>
         </message>
         <message>
+            <source>a task panel is open</source>
+            <translation>um painel de tarefas está aberto</translation>
+        </message>
+        <message>
             <source>a template cannot be named '{name}'</source>
             <translation>um modelo não pode ter o nome '{name}'</translation>
         </message>
@@ -19965,6 +19969,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>close it with &gt;</source>
             <translation>feche-o com &gt;</translation>
+        </message>
+        <message>
+            <source>close it with OK or Cancel, and save again</source>
+            <translation>feche-o com OK ou Cancelar e salve de novo</translation>
         </message>
         <message>
             <source>close it with ]</source>

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from PySide import QtCore, QtGui
 
-from CNCStepper.workbench import api, editor
+from CNCStepper.workbench import api, editor, panels
 from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.editor.edit_menu import VERBS
 from CNCStepper.workbench.editor.panel import EditorPanel
@@ -455,3 +455,23 @@ def test_typing_in_100_000_lines_never_waits(hand: Hand, tmp_path: Path) -> None
     hand.shot("editor-100000-lines")
     assert opening.max_cpu_ms < OPENED_MS, opening
     assert typing.max_cpu_ms < AT_ONCE_MS, typing
+
+
+def test_nothing_is_kept_in_the_document_while_a_panel_is_open(hand: Hand, job: Any) -> None:
+    obj = hand.main(api.edit_program, job)
+    panel = hand.main(editor.open_program, obj).panel
+    read(hand, panel)
+    before = hand.main(program_file.load, obj)
+    go_to(hand, panel, 1)
+    hand.type("(typed)")
+    hand.main(panels.edit, job)
+    hand.wait(FreeCADGui.Control.activeDialog, 20, "the panel")
+    hand.expect_report("a task panel is open")
+    hand.click(NAME + "save")
+    hand.wait(lambda: hand.exists("CNCStepper_Tell_ok"), 10, "why it is not kept")
+    hand.click("CNCStepper_Tell_ok")
+    assert hand.main(program_file.load, obj) == before and hand.main(lambda: panel.modified)
+    hand.click("CNCStepper_Panel_cancel")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+    hand.click(NAME + "save")
+    hand.wait(lambda: "(typed)" in program_file.load(obj), 10, "what was typed")

@@ -13,7 +13,7 @@ from typing import Any
 from CNCStepper.atomic_file import write_whole
 from CNCStepper.errors import JobError, Place, Text
 from CNCStepper.gcode.syntax.text_format import FileForm
-from CNCStepper.workbench.document import program_file, undo_steps
+from CNCStepper.workbench.document import program_file, targets, undo_steps
 from CNCStepper.workbench.editor.reader_client import Language
 from CNCStepper.workbench.features.base import is_job
 from CNCStepper.workbench.features.program import job_behind
@@ -132,11 +132,14 @@ class ObjectSource:
     def save(self, text: str) -> ObjectSource:
         """Keep the text in the document, in one undo step; returns the source of what is kept.
 
-        The first time that is a new object. Raises JobError where the object or its document is gone.
+        The first time that is a new object. Raises JobError where the object or its document is gone, or a task panel
+        is open: that is an undo step of its own, and its Cancel gives the document back.
         """
         if not self.alive:
             what = "the object of this program is no longer there"
             raise JobError("object-gone", what, advice="save it as a file")
+        if targets.why_no_panel():
+            raise JobError("panel-open", "a task panel is open", advice="close it with OK or Cancel, and save again")
         undo_steps.begin(self.document, tr("Edit {0}").format(self.obj.Label))
         try:
             kept = self._kept(text)
