@@ -15,7 +15,7 @@ import pytest
 from PySide import QtGui
 
 from CNCStepper.workbench import api
-from window_helpers import macros
+from window_helpers import macros, monkey_documents
 from window_helpers.hand import Hand
 
 DRAWING = """<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="30mm" viewBox="0 0 40 30">
@@ -86,6 +86,56 @@ def test_a_recorded_macro_makes_the_same_document(hand: Hand, document: Any, tmp
     again = hand.main(lambda: FreeCAD.newDocument("Again"))
     macros.run(hand, text)
     hand.wait(lambda: macros.state(again) == wanted, 60, "the same document")
+
+
+def test_a_macro_deletes_duplicates_moves_and_undoes(hand: Hand, tmp_path: Path) -> None:
+    document = hand.main(monkey_documents.draw, "milling", tmp_path, limit_s=120)
+    copy = tmp_path / "Monkey.FCStd"
+    hand.main(document.saveCopy, str(copy))
+    path = macros.begin_recording(hand)
+    for label, command in (("Pocket", "Duplicate"), ("Drill", "MoveUp"), ("Bore", "MoveDown")):
+        hand.tree(label)
+        hand.main(FreeCADGui.runCommand, f"CNCStepper_{command}")
+    delete(hand, "Thread")
+    hand.tree("Face", double=True)
+    hand.wait(FreeCADGui.Control.activeDialog, 20, "the panel")
+    hand.key("Esc")  # a step that is taken back before it changed anything
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+    delete(hand, "Engrave")
+    hand.undo()
+    hand.wait(lambda: document.getObject("CNCStepper_Engrave"), 10, "what was deleted last")
+    hand.tree("Contour", double=True)
+    hand.wait(FreeCADGui.Control.activeDialog, 20, "the panel")
+    hand.fill("CNCStepper_Panel_depth_mm", "2.5")
+    hand.wait(lambda: document.getObject("CNCStepper_Contour").Depth == 2.5, 20, "the depth")
+    hand.undo()
+    hand.key("Esc")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+    text = macros.end_recording(hand, path)
+    wanted = hand.main(macros.state, document)
+    assert "CNCStepper_Thread.type" not in wanted and wanted["CNCStepper_Contour.Depth"] != "2.5"
+    macros.run_on_copy(hand, text, copy, wanted)
+
+
+def test_a_macro_deletes_a_job_with_all_that_is_its_own(hand: Hand, tmp_path: Path) -> None:
+    document = hand.main(monkey_documents.draw, "cutting", tmp_path, limit_s=120)
+    copy = tmp_path / "Monkey.FCStd"
+    hand.main(document.saveCopy, str(copy))
+    path = macros.begin_recording(hand)
+    delete(hand, "Job001")
+    text = macros.end_recording(hand, path)
+    wanted = hand.main(macros.state, document)
+    assert "CNCStepper_SheetCut001.type" not in wanted and "CNCStepper_SheetCut.type" in wanted
+    macros.run_on_copy(hand, text, copy, wanted)
+
+
+def delete(hand: Hand, label: str) -> None:
+    """Delete an object of the tree by its key; FreeCAD's question what depends on it is answered with Yes."""
+    hand.tree(label)
+    hand.key("Delete")
+    if hand.is_soon(lambda: QtGui.QApplication.activeModalWidget() is not None):
+        hand.key("Alt+Y")
+    hand.wait(lambda: label not in [obj.Label for obj in FreeCAD.ActiveDocument.Objects], 10, f"{label} to go")
 
 
 def without_texts(held: dict[str, Any]) -> dict[str, Any]:

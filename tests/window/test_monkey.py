@@ -40,7 +40,7 @@ def held(document: Any) -> dict[str, Any]:
         for entry in obj.Proxy.PROPERTIES
         if entry.key not in COMPUTED
     }
-    return {"objects": [obj.Name for obj in document.Objects], **values} | {
+    return {"objects": sorted(obj.Name for obj in document.Objects), **values} | {
         f"{obj.Name}.problem": problem_of(obj) for obj in ours
     }
 
@@ -86,4 +86,5 @@ def test_a_walk_of_random_steps(hand: Hand, seed: int, tmp_path: Path) -> None:
         macros.run_on_copy(hand, macro, copy, made)
     except BaseException:
         print(f"walk {seed} over {kind}, the last steps: {list(monkey.done)}", flush=True)
+        macros.stop_recording(hand)
         raise

@@ -29,17 +29,23 @@ def begin_recording(hand: Hand, name: str = "peca") -> Path:
 
 
 def end_recording(hand: Hand, path: Path) -> str:
-    """Stop the recording, from FreeCAD 1.0 on by the command that has begun it; return the macro."""
-    commands = hand.main(FreeCADGui.Command.listAll)
-    stop = "Std_MacroStopRecord" if "Std_MacroStopRecord" in commands else "Std_DlgMacroRecord"
-    hand.main(FreeCADGui.runCommand, stop)
+    """Stop the recording; return the macro."""
+    stop_recording(hand)
     hand.wait(path.is_file, 10, "the macro's file")
     return path.read_text("utf-8")
 
 
+def stop_recording(hand: Hand) -> None:
+    """Stop a recording, from FreeCAD 1.0 on by the command that has begun it."""
+    commands = hand.main(FreeCADGui.Command.listAll)
+    stop = "Std_MacroStopRecord" if "Std_MacroStopRecord" in commands else "Std_DlgMacroRecord"
+    hand.main(FreeCADGui.runCommand, stop)
+
+
 def run(hand: Hand, text: str, name: str = "macro") -> None:
-    """Run a macro on the active document."""
-    hand.main(lambda: exec(compile(text, name, "exec"), {"__name__": "__main__"}), limit_s=AGAIN_S)
+    """Run a macro on the active document, with the names that FreeCAD gives to it."""
+    names = {"__name__": "__main__", "App": FreeCAD, "Gui": FreeCADGui}
+    hand.main(lambda: exec(compile(text, name, "exec"), names), limit_s=AGAIN_S)
 
 
 def run_on_copy(hand: Hand, text: str, copy: Path, wanted: dict[str, Any]) -> None:
@@ -47,11 +53,14 @@ def run_on_copy(hand: Hand, text: str, copy: Path, wanted: dict[str, Any]) -> No
     for name in hand.main(lambda: list(FreeCAD.listDocuments())):
         hand.main(FreeCAD.closeDocument, name)
     document = hand.main(opened, copy, limit_s=AGAIN_S)
-    run(hand, text)
-    if not hand.is_soon(lambda: differences(wanted, state(document)) == {}):
-        hand.settle()
-        found = hand.main(lambda: differences(wanted, state(document)))
-        assert found == {}, f"{found}\nby the macro\n{text}"
+    try:
+        run(hand, text)
+        if not hand.is_soon(lambda: differences(wanted, state(document)) == {}):
+            found = hand.main(lambda: differences(wanted, state(document)))
+            assert not found, found
+    except BaseException:
+        print(f"the macro:\n{text}", flush=True)
+        raise
 
 
 def opened(path: Path) -> Any:
@@ -80,9 +89,16 @@ def held_by(obj: Any) -> dict[str, Any]:
     """Return what an object holds that a macro must make again."""
     values: dict[str, Any] = {"type": proxy_type(obj) or obj.TypeId, "label": obj.Label}
     if proxy_type(obj):
-        values |= {entry.name: str(value_of(obj, entry)) for entry in obj.Proxy.PROPERTIES if not entry.output}
+        values |= {entry.name: plain(value_of(obj, entry)) for entry in obj.Proxy.PROPERTIES if not entry.output}
     if hasattr(obj, "Shape"):
         values["length"] = round(obj.Shape.Length, 9)
     if is_job(obj):
         values["program"] = program_file.load(obj)
     return values
+
+
+def plain(value: Any) -> str:
+    """Return a value as text, an object by its name."""
+    if isinstance(value, FreeCAD.DocumentObject):
+        return str(value.Name)
+    return f"[{', '.join(map(plain, value))}]" if isinstance(value, list | tuple) else str(value)

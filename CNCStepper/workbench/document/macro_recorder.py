@@ -36,12 +36,30 @@ _writing: list[bool] = []
 
 def follow(document: Any, name: str) -> None:
     """Collect what the transaction of a document changes that was opened just now."""
+    _recorder().steps[document.Name] = Step(name)
+
+
+def follow_deletion(document: Any) -> None:
+    """Let FreeCAD's own deletion, which has begun, be one step of the macro; FreeCAD itself writes what it deletes."""
+    if document.Name not in (recorder := _recorder()).deleting:
+        recorder.steps.pop(document.Name, None)
+        recorder.deleting.add(document.Name)
+        _write(["macro.begin('Delete')"])
+
+
+def note_deletion(document: Any, name: str) -> None:
+    """Write that an object goes with one that FreeCAD deletes, which writes that one alone."""
+    if document.Name in _recorder().deleting:
+        _write([f"macro.remove({name!r})"])
+
+
+def _recorder() -> Recorder:
     import FreeCAD
 
     if not _following:
         _following.append(Recorder())
         FreeCAD.addDocumentObserver(_following[0])
-    _following[0].steps[document.Name] = Step(name)
+    return _following[0]
 
 
 def is_writing() -> bool:
@@ -70,10 +88,14 @@ class Step:
 
 
 class Recorder:
-    """FreeCAD's observer of documents: follows the steps that are open. steps: by the name of the document."""
+    """FreeCAD's observer of documents: follows the steps that are open.
+
+    steps: by the name of the document; deleting: of which documents FreeCAD is deleting objects.
+    """
 
     def __init__(self) -> None:
         self.steps: dict[str, Step] = {}
+        self.deleting: set[str] = set()
 
     def _step(self, obj: Any) -> Step | None:
         """Return the open step of an object's document; a view provider's document is the window's, without a name."""
@@ -99,24 +121,39 @@ class Recorder:
         if (step := self._step(obj)) and name not in (changed := step.changed.setdefault(obj.Name, {})):
             changed[name] = None if obj.Name in step.created or name == "Shape" else literal(getattr(obj, name, None))
 
+    def slotOpenTransaction(self, document: Any, name: str) -> None:
+        """FreeCAD calls this at a transaction's first change; one that was taken back before it had any is not told."""
+        if (step := self.steps.get(document.Name)) and step.name != name:
+            del self.steps[document.Name]
+
     def slotAbortTransaction(self, document: Any) -> None:
         """FreeCAD calls this when a transaction is taken back."""
         self.steps.pop(document.Name, None)
+        self._end_deletion(document)
 
     def slotDeletedDocument(self, document: Any) -> None:
         """FreeCAD calls this before a document goes."""
         self.steps.pop(document.Name, None)
+        self.deleting.discard(document.Name)
+
+    def _end_deletion(self, document: Any) -> None:
+        if document.Name in self.deleting:
+            self.deleting.remove(document.Name)
+            _write(["macro.commit()"])
 
     def slotUndoDocument(self, document: Any) -> None:
         """Write that a step was undone; FreeCAD would not where its undo has ended an open step, which is written."""
+        self.steps.pop(document.Name, None)  # what a step that is open has collected is the undo's
         _write(["macro.undo()"])
 
     def slotRedoDocument(self, document: Any) -> None:
         """Write that a step was done again."""
+        self.steps.pop(document.Name, None)
         _write(["macro.redo()"])
 
     def slotCommitTransaction(self, document: Any) -> None:
         """Write what the transaction has done; FreeCAD calls this when it is kept."""
+        self._end_deletion(document)
         step = self.steps.pop(document.Name, None)
         if step is not None and (lines := list(lines_of(document, step))):
             _write(lines)
@@ -134,7 +171,7 @@ def _write(lines: Iterable[str]) -> None:
 
 
 def lines_of(document: Any, step: Step) -> Iterator[str]:
-    """Yield the lines that do again what a step has done; none for a step that changed nothing."""
+    """Yield the lines that do again what a step has done; none for a step that touched nothing."""
     touched = [name for name in {**step.created, **step.changed} if document.getObject(name) is not None]
     read = [name for name in touched if _was_read(document.getObject(name), step)]
     inside = {each for name in read for each in held_by(document.getObject(name))}
@@ -142,6 +179,8 @@ def lines_of(document: Any, step: Step) -> Iterator[str]:
     changes = [line for name in made for line in _change_lines(document.getObject(name), step)]
     new = [_add_line(document.getObject(name)) for name in made if name in step.created]
     gone = [f"macro.remove({name!r})" for name in step.deleted if name not in inside]
+    if touched and not (new or changes or read or gone):  # FreeCAD keeps it all the same: an undo takes it back
+        changes = [_unchanged_line(document.getObject(touched[0]))]
     if new or changes or read or gone:
         yield f"macro.begin({step.name!r})"
         yield from new
@@ -170,6 +209,11 @@ def _add_line(obj: Any) -> str:
     kind = type(obj.Proxy)
     more = f", {obj.ShapeKind!r}" if hasattr(obj, "ShapeKind") else ""
     return f'macro.add({obj.Name!r}, {obj.TypeId!r}, "{kind.__module__}.{kind.__qualname__}"{more})'
+
+
+def _unchanged_line(obj: Any) -> str:
+    """Return the line of a step that leaves an object as it was."""
+    return f"macro.change({obj.Name!r}, Label={obj.Label!r})"
 
 
 def _change_lines(obj: Any, step: Step) -> Iterator[str]:

@@ -50,6 +50,14 @@ class ViewProvider:
         """Return what the icon says of the object's state: "Problem", "Inactive" or nothing."""
         return "Problem" if problem_of(self.obj) else ""
 
+    @guarded
+    def onDelete(self, view: Any, parts: Any) -> bool:
+        """Return whether FreeCAD may delete the object, which it is about to; in a macro that is one step."""
+        from CNCStepper.workbench.document import macro_recorder
+
+        macro_recorder.follow_deletion(self.obj.Document)
+        return True
+
     @polled
     def isShow(self) -> bool:
         """Return whether the tree shows it as visible; FreeCAD asks, as most of our objects draw nothing."""

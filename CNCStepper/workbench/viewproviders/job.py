@@ -84,10 +84,14 @@ class ProgramJob(ViewProvider):
     @guarded
     def onDelete(self, view: Any, parts: Any) -> bool:
         """Delete what belongs to this job alone, in the same undo step; drawings and edited programs stay."""
-        parts = [child for child in self.claimChildren() if child not in edited_programs(self.obj)]
-        for child in [child for child in parts if self.is_its_own(child)]:
+        from CNCStepper.workbench.document import macro_recorder
+
+        may = super().onDelete(view, parts)
+        own = [child for child in self.claimChildren() if child not in edited_programs(self.obj)]
+        for child in [child for child in own if self.is_its_own(child)]:
+            macro_recorder.note_deletion(child.Document, child.Name)
             child.Document.removeObject(child.Name)
-        return True
+        return may
 
     def is_its_own(self, child: Any) -> bool:
         """Return whether nothing of ours outside this job uses one of its children."""
