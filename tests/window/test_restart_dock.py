@@ -3,18 +3,21 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import re
 import signal
+import weakref
 from typing import Any
 
 import FreeCAD
 import FreeCADGui
 import pytest
+from PySide import QtCore, QtGui
 from test_dock import LONGEST_MS, D, dock, own_sessions, start_button, zeroed  # noqa: F401
 
 from CNCStepper.control.session.files import read_private, running_services
-from CNCStepper.workbench import api
+from CNCStepper.workbench import api, restart
 from CNCStepper.workbench.dock import virtual_controller
 from CNCStepper.workbench.dock.views.widgets import BREAK
 from window_helpers.hand import Hand
@@ -123,6 +126,38 @@ def test_a_simulation_gives_its_moment(hand: Hand, job: Any) -> None:
     hand.click("CNCStepper_Simulation_restart")
     hand.wait(lambda: hand.exists(f"{R}choice") and hand.text(f"{R}choice"), START_S, "the restart")
     assert hand.text(f"{R}choice") == f"From line {CUT_LINE}" and hand.text(f"{R}line") == str(CUT_LINE)
+
+
+class Restarts:
+    """Opens and closes restarts by a timer: what pytest's thread holds would be kept until its test ends."""
+
+    def __init__(self, job: Any, times: int):
+        self.left, self.tasks, self._job = times, [], job
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._next)
+        self._timer.start(20)
+
+    def _next(self) -> None:
+        panel = FreeCADGui.getMainWindow().findChild(QtGui.QWidget, f"{R}panel")
+        if panel is None and self.left:
+            self.tasks.append(weakref.ref(restart.open_restart(self._job, lambda *_: None, CUT_LINE)))
+        elif panel is None:
+            self._timer.stop()
+        elif panel.findChild(QtGui.QWidget, f"{R}send").isEnabled():
+            FreeCADGui.Control.closeDialog()
+            self.left -= 1
+
+    def kept(self) -> int:
+        """Return how many tasks are still in memory."""
+        gc.collect()
+        return sum(task() is not None for task in self.tasks)
+
+
+def test_a_restart_that_is_closed_leaves_nothing_in_memory(hand: Hand, job: Any) -> None:
+    running = hand.main(Restarts, job, 2)
+    hand.wait(lambda: not running.left and not running._timer.isActive(), START_S, "both restarts")
+    assert hand.main(lambda: len(running.tasks)) == 2
+    hand.wait(lambda: not running.kept(), 10, "the closed tasks to be forgotten")
 
 
 def kill_the_desk(machines: list[Any]) -> None:

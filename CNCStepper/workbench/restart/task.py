@@ -49,6 +49,7 @@ class RestartTask(ViewTask):
         self._where = RequestedPlace(line=line) if line else None
         self._proof = LatestProof(self.form.show_result, self._refuse, lambda text: self.form.say(text, busy=True))
         self._stage: Stage | None = None
+        self._has_left = False
         self._path = EditorStage(self._clicked)
         self._reader = ProgramReader(lambda: program_file.load(program))
         self._watch = ProgramObserver(program, self._changed, self._close_soon, self._document_closing)
@@ -62,15 +63,22 @@ class RestartTask(ViewTask):
 
     def begin(self) -> None:
         """Read the program in its present state in the document."""
+        if self._has_left:
+            return
         machine = machine_of(job_behind(self._program))
         self._reader.begin(self._source.language(machine))
 
     def end(self, *_: Any) -> None:
-        """Leave nothing behind: no process, no timer, no node, nothing hidden."""
+        """Leave nothing behind: no process, no timer, no node; Qt keeps this object with the timer that calls it."""
+        if self._has_left:
+            return
+        self._has_left = True
         self._watch.end()
         self._settled.stop()
+        self._settled.deleteLater()
         self._proof.give_up()
         self._reader.forget()
+        self._reader.deleteLater()
         self._path.clear()
         if self._stage is not None:
             self._stage.restore()
