@@ -18,6 +18,7 @@ from functools import cache
 from pydantic import BaseModel, ConfigDict, Field, StrictBool, field_validator
 
 from CNCStepper.drawing.drawing import Chain
+from CNCStepper.errors import Text, joined, one_of
 from CNCStepper.safe_text import printable
 
 MOST_PATTERNS = 64
@@ -69,14 +70,13 @@ class Selection(BaseModel):
     def words(self) -> str:
         """The keys that are given, for a person."""
         given = self.model_dump(exclude_defaults=True)
-        texts = (f"{key} {_words(value)}" for key, value in given.items())
-        return printable(", ".join(texts)) or "all of it"
+        return joined(", ", [_words(key, value) for key, value in given.items()]) or Text("all of it")
 
 
-def _words(value: object) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    return " or ".join(f"'{one}'" for one in value) if isinstance(value, Sequence) else str(value)
+def _words(key: str, value: object) -> str:
+    if isinstance(value, Sequence):
+        return Text("{key} {choices}", key=key, choices=one_of(f"'{printable(one)}'" for one in value))
+    return Text("{key} {answer}", key=key, answer=Text("yes") if value else Text("no"))
 
 
 def _matches(patterns: Patterns, texts: Sequence[str]) -> bool:

@@ -14,6 +14,7 @@ from typing import Any
 from CNCStepper.cycles.cycle import Cycle
 from CNCStepper.errors import Text
 from CNCStepper.geometry.curve import Curve
+from CNCStepper.job.make import numbered
 from CNCStepper.job.model import Job
 
 LONG_MM = 1_000_000.0  # of cut in one operation: more takes minutes to make, to prove and to draw
@@ -28,9 +29,8 @@ def long_work(job: Job) -> list[str]:
         if length_mm > LONG_MM:
             told.append(
                 Text(
-                    "operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels",
-                    number=number,
-                    cycle=operation.cycle,
+                    "{operation} will take long: about {length_mm:.0f} m of cut in {levels} levels",
+                    operation=numbered(number, operation.cycle),
                     length_mm=length_mm / MM_PER_M,
                     levels=levels,
                 )

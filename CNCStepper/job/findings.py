@@ -16,7 +16,7 @@ from CNCStepper.cycles.contours.scrap_side import enclosed
 from CNCStepper.cycles.cycle import Answer, Cycle
 from CNCStepper.errors import Place, Text
 from CNCStepper.geometry.shapely_polygons import polygons_of
-from CNCStepper.job.make import operation_name
+from CNCStepper.job.make import numbered
 from CNCStepper.job.model import Job
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool_shapes import BEAMS
@@ -68,7 +68,7 @@ def _freed(operation: Cycle, job: Job) -> BaseGeometry | None:
 
 
 def _words(operations: Sequence[Cycle], before: int, number: int) -> str:
-    one, other = (f"operation {place} ({operation_name(operations[place - 1])})" for place in (number, before))
+    one, other = (numbered(place, operations[place - 1].cycle) for place in (number, before))
     return Text("{one} cuts into a piece that {other} has set free: nothing holds it", one=one, other=other)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from itertools import groupby
 
 from CNCStepper.cycles.cycle import Answer, Cycle, Removal
-from CNCStepper.errors import CNCStepperError, Place
+from CNCStepper.errors import CNCStepperError, Place, Text
 from CNCStepper.gcode.dialects import dialect
 from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
 from CNCStepper.job.chart_tools import as_cut_by
@@ -16,6 +16,30 @@ from CNCStepper.machine.cut_data import CutData
 from CNCStepper.machine.profile import Machine
 from CNCStepper.state import State
 from CNCStepper.toolpath import TableBuilder, Toolpath
+
+NUMBERED = {
+    "face": "operation {number} (face)",
+    "pocket": "operation {number} (pocket)",
+    "rectangular_pocket": "operation {number} (rectangular pocket)",
+    "circular_pocket": "operation {number} (circular pocket)",
+    "elliptical_pocket": "operation {number} (elliptical pocket)",
+    "contour": "operation {number} (contour)",
+    "engrave": "operation {number} (engrave)",
+    "drill": "operation {number} (drill)",
+    "bore": "operation {number} (bore)",
+    "thread": "operation {number} (thread)",
+    "sheet_cut": "operation {number} (sheet cut)",
+    "wire_cut": "operation {number} (wire cut)",
+    "turn_face": "operation {number} (turn face)",
+    "turn_rough": "operation {number} (turn rough)",
+    "turn_finish": "operation {number} (turn finish)",
+    "turn_taper": "operation {number} (turn taper)",
+    "turn_groove": "operation {number} (turn groove)",
+    "turn_part": "operation {number} (turn part)",
+    "turn_drill": "operation {number} (turn drill)",
+    "turn_bore": "operation {number} (turn bore)",
+    "turn_thread": "operation {number} (turn thread)",
+}  # whole, so that a translation of a cycle's name never touches a layer or shape that somebody called so
 
 
 @dataclass(frozen=True)
@@ -100,9 +124,14 @@ def _removals(answers: list[Answer]) -> list[Removal]:
     return [removal for answer in answers for removal in answer.removals]
 
 
-def operation_name(operation: Cycle) -> str:
-    """Return the operation's name for people."""
-    return operation.cycle.replace("_", " ")
+def operation_name(cycle: str) -> str:
+    """Return a cycle's name for people."""
+    return cycle.replace("_", " ")
+
+
+def numbered(number: int, cycle: str) -> Text:
+    """Return an operation's number in its job with its name, for sentences: a job may hold many of a kind."""
+    return Text(NUMBERED[cycle], number=number)
 
 
 def _cut(number: int, operation: Cycle, job: Job, table: TableBuilder) -> Answer:
@@ -119,13 +148,13 @@ def _cut(number: int, operation: Cycle, job: Job, table: TableBuilder) -> Answer
             flood=job.coolant == "flood",
         )
     )
-    table.open_span("operation", operation_name(operation))
+    table.open_span("operation", operation_name(operation.cycle))
     try:
         answer = operation.cut(job.setup(operation), table)
     except CNCStepperError as error:
         if error.place:
             raise
-        raise error.at(Place(f"operation {number} ({operation_name(operation)})")) from error
+        raise error.at(Place(numbered(number, operation.cycle))) from error
     table.close_span()
     return answer
 

@@ -415,7 +415,7 @@ def job_of_content(content: dict[str, Any], path: Path, share: Share = lambda sh
     content["notes"] = (*_notes(content, path), *shapes.notes)
     first = {"tool": FIRST_TOOL} if process_of(content, str(path)).uses_chart else {}
     content["operation"] = tuple(
-        operation_of(first | raw, path.parent, f"{path} operation {number}", shapes, drawn)
+        operation_of(first | raw, path.parent, _numbered(path, number), shapes, drawn)
         for number, raw in enumerate(_tables(content, "operation", path), start=1)
     )
     if "tools" in content:
@@ -451,6 +451,10 @@ def save_job(job: Job, path: Path) -> None:
         "operation": [operation.model_dump(mode="json") for operation in job.operation]
     }
     write_whole(path, (json.dumps(content, indent=1, allow_nan=False) + "\n").encode("utf-8"))
+
+
+def _numbered(path: Path, number: int) -> Text:
+    return Text("{path} operation {number}", path=path, number=number)
 
 
 def operation_of(

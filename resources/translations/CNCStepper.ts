@@ -18430,6 +18430,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a program for {language} cannot be restarted in its middle</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23042,6 +23046,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no Python {version} is found outside FreeCAD to run pip with</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23311,6 +23319,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>no wheels in</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>none</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23662,7 +23674,87 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
+            <source>operation {number} (bore)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (circular pocket)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (contour)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (drill)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (elliptical pocket)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (engrave)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (face)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (pocket)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (rectangular pocket)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (sheet cut)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (thread)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (turn bore)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (turn drill)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (turn face)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (turn finish)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (turn groove)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (turn part)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (turn rough)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (turn taper)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (turn thread)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>operation {number} (wire cut)</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23919,6 +24011,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>process must be a text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>profile '{name}'</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24303,6 +24399,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>route it around the part, through scrap</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>row {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30282,6 +30382,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>yes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>z falls towards the chuck</source>
             <translation type="unfinished"></translation>
         </message>
@@ -31294,6 +31398,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{operation} will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{option} and {other} would write the same file</source>
             <translation type="unfinished"></translation>
         </message>
@@ -31355,6 +31463,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{path} is no recording of pulses, and is not written over</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{path} operation {number}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

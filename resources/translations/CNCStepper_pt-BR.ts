@@ -18467,6 +18467,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>as pontas de um perfil não têm canto a cortar, e o início não tem arco</translation>
         </message>
         <message>
+            <source>a program</source>
+            <translation>um programa</translation>
+        </message>
+        <message>
             <source>a program for {language} cannot be restarted in its middle</source>
             <translation>um programa para {language} não pode ser retomado no meio</translation>
         </message>
@@ -23079,6 +23083,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nicromo 0,4 mm</translation>
         </message>
         <message>
+            <source>no</source>
+            <translation>não</translation>
+        </message>
+        <message>
             <source>no Python {version} is found outside FreeCAD to run pip with</source>
             <translation>nenhum Python {version} foi achado fora do FreeCAD para rodar o pip</translation>
         </message>
@@ -23349,6 +23357,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>no wheels in</source>
             <translation>nenhum pacote em</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>nenhuma</translation>
         </message>
         <message>
             <source>none of the selected drawings can be followed</source>
@@ -23699,8 +23711,88 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>operation deve ser uma lista de tabelas</translation>
         </message>
         <message>
-            <source>operation {number} ({cycle}) will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
-            <translation>a operação {number} ({cycle}) vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
+            <source>operation {number} (bore)</source>
+            <translation>operação {number} (mandrilar)</translation>
+        </message>
+        <message>
+            <source>operation {number} (circular pocket)</source>
+            <translation>operação {number} (bolsão circular)</translation>
+        </message>
+        <message>
+            <source>operation {number} (contour)</source>
+            <translation>operação {number} (contorno)</translation>
+        </message>
+        <message>
+            <source>operation {number} (drill)</source>
+            <translation>operação {number} (furar)</translation>
+        </message>
+        <message>
+            <source>operation {number} (elliptical pocket)</source>
+            <translation>operação {number} (bolsão elíptico)</translation>
+        </message>
+        <message>
+            <source>operation {number} (engrave)</source>
+            <translation>operação {number} (gravar)</translation>
+        </message>
+        <message>
+            <source>operation {number} (face)</source>
+            <translation>operação {number} (facear)</translation>
+        </message>
+        <message>
+            <source>operation {number} (pocket)</source>
+            <translation>operação {number} (bolsão)</translation>
+        </message>
+        <message>
+            <source>operation {number} (rectangular pocket)</source>
+            <translation>operação {number} (bolsão retangular)</translation>
+        </message>
+        <message>
+            <source>operation {number} (sheet cut)</source>
+            <translation>operação {number} (corte de chapa)</translation>
+        </message>
+        <message>
+            <source>operation {number} (thread)</source>
+            <translation>operação {number} (rosquear)</translation>
+        </message>
+        <message>
+            <source>operation {number} (turn bore)</source>
+            <translation>operação {number} (mandrilar no torno)</translation>
+        </message>
+        <message>
+            <source>operation {number} (turn drill)</source>
+            <translation>operação {number} (furar no eixo)</translation>
+        </message>
+        <message>
+            <source>operation {number} (turn face)</source>
+            <translation>operação {number} (facear no torno)</translation>
+        </message>
+        <message>
+            <source>operation {number} (turn finish)</source>
+            <translation>operação {number} (torneamento de acabamento)</translation>
+        </message>
+        <message>
+            <source>operation {number} (turn groove)</source>
+            <translation>operação {number} (tornear canal)</translation>
+        </message>
+        <message>
+            <source>operation {number} (turn part)</source>
+            <translation>operação {number} (cortar a peça)</translation>
+        </message>
+        <message>
+            <source>operation {number} (turn rough)</source>
+            <translation>operação {number} (torneamento de desbaste)</translation>
+        </message>
+        <message>
+            <source>operation {number} (turn taper)</source>
+            <translation>operação {number} (tornear cone)</translation>
+        </message>
+        <message>
+            <source>operation {number} (turn thread)</source>
+            <translation>operação {number} (rosquear no torno)</translation>
+        </message>
+        <message>
+            <source>operation {number} (wire cut)</source>
+            <translation>operação {number} (corte com fio)</translation>
         </message>
         <message>
             <source>operation {number} has another kerf than the nest whose parts share cuts</source>
@@ -23957,6 +24049,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>process must be a text</source>
             <translation>process deve ser um texto</translation>
+        </message>
+        <message>
+            <source>profile '{name}'</source>
+            <translation>perfil '{name}'</translation>
         </message>
         <message>
             <source>programs are not written in the dialect {dialect}</source>
@@ -24341,6 +24437,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>route it around the part, through scrap</source>
             <translation>passe o fio em volta da peça, pelo que vira sobra</translation>
+        </message>
+        <message>
+            <source>row {number}</source>
+            <translation>linha {number}</translation>
         </message>
         <message>
             <source>rows must be a list of tables</source>
@@ -30319,6 +30419,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>x_is = diameter</translation>
         </message>
         <message>
+            <source>yes</source>
+            <translation>sim</translation>
+        </message>
+        <message>
             <source>z falls towards the chuck</source>
             <translation>z diminui em direção à placa</translation>
         </message>
@@ -31331,6 +31435,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{one} ou {other}</translation>
         </message>
         <message>
+            <source>{operation} will take long: about {length_mm:.0f} m of cut in {levels} levels</source>
+            <translation>{operation} vai demorar: cerca de {length_mm:.0f} m de corte em {levels} níveis</translation>
+        </message>
+        <message>
             <source>{option} and {other} would write the same file</source>
             <translation>{option} e {other} escreveriam o mesmo arquivo</translation>
         </message>
@@ -31393,6 +31501,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{path} is no recording of pulses, and is not written over</source>
             <translation>{path} não é uma gravação de pulsos e não é sobrescrito</translation>
+        </message>
+        <message>
+            <source>{path} operation {number}</source>
+            <translation>{path} operação {number}</translation>
         </message>
         <message>
             <source>{per_s:.0f} pulses/s, {stall_us:.0f} µs</source>

@@ -73,7 +73,7 @@ def port_held_by_job(file: Path, port: str, status: SenderStatus) -> MachineRefu
         Text(
             "{port} is held by a job of yours, {status_file}, which is {phase}",
             port=port,
-            status_file=status.file or "a program",
+            status_file=status.file or Text("a program"),
             phase=status.phase,
         ),
         advice=Text(

@@ -107,7 +107,7 @@ def _of_style(own: list[Face], style: str) -> Face:
 
 def _advice(wanted: str) -> str:
     near = [name for name in families() if wanted.split(" ")[0] in name.casefold()] or list(families())
-    return Text("name one that the system has: {families}", families=", ".join(near[:NAMED]) or "none")
+    return Text("name one that the system has: {families}", families=", ".join(near[:NAMED]) or Text("none"))
 
 
 def _matplotlib_fonts() -> Path:

@@ -88,7 +88,7 @@ class AlongForm(_Checked):
             what = Text("a text runs along one curve, but the shape '{shape}' has several", shape=self.shape)
             raise JobError("text-along", what, value=f"{len(curves)}", advice="name a shape of one curve")
         what = Text("a text runs along the shape '{shape}', which does not stand before it", shape=self.shape)
-        raise JobError("text-along", what, advice=Text("name one of: {known}", known=", ".join(shapes) or "none"))
+        raise JobError("text-along", what, advice=Text("name one of: {known}", known=", ".join(shapes) or Text("none")))
 
 
 class TextForm(TextParameters, _Checked):

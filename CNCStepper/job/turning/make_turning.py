@@ -20,6 +20,7 @@ from CNCStepper.cycles.turning.turning_setup import TurningAnswer, TurningSetup
 from CNCStepper.errors import CNCStepperError, CycleError, JobError, Place
 from CNCStepper.gcode.dialects import Dialect, dialect
 from CNCStepper.gcode.writer.write import WriteOptions, write, write_split
+from CNCStepper.job.make import numbered, operation_name
 from CNCStepper.job.turning.bar_limits import require_in_bar
 from CNCStepper.job.turning.cutting_warnings import cutting_warnings
 from CNCStepper.job.turning.taper_profile import profile_of
@@ -123,8 +124,7 @@ def _cut(
     turning: dict[str, Any] = {"spindle": "ccw" if left else "cw", "spindle_rpm": setup.rpm, "feed_mode": "per_turn"}
     turning |= {"surface_m_min": setup.surface_m_min, "largest_rpm": setup.largest_rpm}
     table.set_state(replace(table.state, tool=setup.tool.number, flood=flood, mist=mist, **turning))
-    name = operation.cycle.replace("_", " ")
-    table.open_span("operation", name)
+    table.open_span("operation", operation_name(operation.cycle))
     try:
         moves = TurningMoves(table, placement, setup)
         if number == 1 and math.isnan(table.position_mm[0]):
@@ -134,7 +134,7 @@ def _cut(
     except CNCStepperError as error:
         if error.place:
             raise
-        raise error.at(Place(f"operation {number} ({name})")) from error
+        raise error.at(Place(numbered(number, operation.cycle))) from error
     table.close_span()
     return answer
 
@@ -154,7 +154,7 @@ def _setups(job: TurningJob, machine: Machine) -> Iterator[tuple[TurningOperatio
                 what, advice = "the operation has no feed", "give it or its tool a feed_mm_rev"
                 raise CycleError("feed-missing", what, value="0 mm", limit="above 0 mm", advice=advice)
         except (CycleError, JobError) as error:
-            raise error.at(Place(f"operation {number} ({operation.cycle.replace('_', ' ')})")) from error
+            raise error.at(Place(numbered(number, operation.cycle))) from error
         raw = (job.stock.diameter_mm / 2, job.stock.face_mm, bore_mm)
         yield operation, TurningSetup(tool, *raw, job.start_zr, feed_mm_rev, rpm, profile, machine, *surface)
         if isinstance(operation, TurnDrill):

@@ -85,14 +85,14 @@ class ProfileForm(BaseModel):
 
     def curve(self, x_is: Xis, folder: Path) -> Curve:
         """Return the chain in (z, r), checked; raises JobError with the number that would do."""
-        with placed(Place(f"profile '{self.name}'")):
+        with placed(Place(Text("profile '{name}'", name=self.name))):
             chain = self._drawn(folder) if self.dxf else _of_points(self.points or (), x_is)
             check_profile(chain)
             return chain
 
     def _drawn(self, folder: Path) -> Curve:
         table = {"name": self.name, "dxf": self.dxf and self.dxf.model_dump(exclude_none=True)}
-        place = Place(f"profile '{self.name}'")
+        place = Place(Text("profile '{name}'", name=self.name))
         shapes = read_shapes([table], folder, place.file, Drawn())
         curves = shapes.named(self.name, ShapeKey("dxf", "curve", closed=False), place)
         if len(curves) != 1:

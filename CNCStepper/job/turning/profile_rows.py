@@ -34,7 +34,7 @@ def content_of_lines(lines: Iterable[str]) -> list[Any]:
     kept = [line for line in lines if line.strip()]
     found = []
     for number, line in enumerate(kept, start=1):
-        with placed(Place(f"row {number}")):
+        with placed(Place(Text("row {number}", number=number))):
             found.append(_content(line))
     return found
 

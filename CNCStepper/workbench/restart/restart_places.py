@@ -10,7 +10,8 @@ from operator import attrgetter
 from typing import Any
 
 from CNCStepper.recovery.restart.restart_places import RequestedPlace
-from CNCStepper.workbench.services.translation import later
+from CNCStepper.workbench.help.topics import TOPIC_OF
+from CNCStepper.workbench.services.translation import later, tr
 
 OPERATION, CONTOUR = "operation", "contour"
 CHOSEN = {
@@ -46,6 +47,12 @@ def rows_of(told: Mapping[str, Any]) -> list[Row]:
     operations = [Row(OPERATION, number, line, name) for number, line, name in told["operations"]]
     contours = [Row(CONTOUR, *contour) for contour in told["contours"]]
     return list(merge(operations, contours, key=attrgetter("line")))
+
+
+def title_of(name: str) -> str:
+    """Return an operation's name in FreeCAD's language, as it is where it is not that of a cycle."""
+    topic = TOPIC_OF.get(f"CNCStepper_{name.title().replace(' ', '')}")
+    return tr(topic.title) if topic else name
 
 
 def chosen(where: RequestedPlace, rows: Sequence[Row]) -> tuple[str, tuple[object, ...]]:

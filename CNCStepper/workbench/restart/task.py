@@ -7,6 +7,7 @@ program ──► reader: lines, path, contours, place under a click ──► c
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore
@@ -25,7 +26,7 @@ from CNCStepper.workbench.panels.view_task_panel import ViewTask
 from CNCStepper.workbench.proving import latest_proof
 from CNCStepper.workbench.proving.latest_proof import LatestProof, Sender
 from CNCStepper.workbench.restart.panel import RestartPanel
-from CNCStepper.workbench.restart.restart_places import Row, line_of, rows_of
+from CNCStepper.workbench.restart.restart_places import Row, line_of, rows_of, title_of
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.object_observers import ProgramObserver
@@ -116,7 +117,8 @@ class RestartTask(ViewTask):
         if "error_of_contours" in answer:
             self._refuse(error_from_json(answer["error_of_contours"]))
             return
-        self.form.show_rows(rows_of(answer), answer["more"])
+        rows = [replace(row, name=title_of(row.name)) for row in rows_of(answer)]
+        self.form.show_rows(rows, answer["more"])
         self.form.say(tr("No place is chosen yet."))
         if self._where is not None:
             self._choose(self._where)

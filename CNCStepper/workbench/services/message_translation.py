@@ -100,10 +100,14 @@ def _put_together(english: str) -> str:
 
 
 def _after_a_name(english: str) -> str:
-    """Return the translation of "Pocket: the tool is wider than the pocket", where an object's name stands first."""
+    """Return the translation of "Pocket: the tool is wider than the pocket", where an object's name stands first.
+
+    What stands first may be a place of the core, "operation 1 (pocket)"; a name without values is a person's own.
+    """
     name, colon, rest = english.partition(": ")
     said = _said(rest) if colon else ""
-    return f"{name}: {said}" if said else ""
+    _, values = _recognised(name, strict=True) if said else ("", [])
+    return f"{_known(name) if values else name}: {said}" if said else ""
 
 
 def _advice(english: str) -> str:

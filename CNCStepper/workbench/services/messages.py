@@ -11,9 +11,10 @@ import functools
 import inspect
 import traceback
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError, Text
+from CNCStepper.errors import CNCStepperError, Place, Text
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.plain_words import plain
 from CNCStepper.workbench.services.translation import tr
@@ -137,8 +138,13 @@ def sentence(problem: CNCStepperError) -> str:
     limit = problem.limit and tr("limit {0}").format(translated(problem.limit))
     value = translated(problem.value) if isinstance(problem.value, Text) else problem.value
     numbers = [part for part in (value, limit) if part]
-    place = f"{problem.place}: " if problem.place else ""
+    place = f"{_named(problem.place)}: " if problem.place else ""
     return plain(f"{place}{translated(problem.what)}" + (f" ({', '.join(numbers)})" if numbers else ""))
+
+
+def _named(place: Place) -> Place:
+    """Return a place that is an operation, a row or a profile with its name in FreeCAD's language."""
+    return replace(place, file=translated(place.file))
 
 
 def _show(

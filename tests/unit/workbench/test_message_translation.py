@@ -15,10 +15,15 @@ import pytest
 from CNCStepper.control.session.status import error_from_json, error_to_json
 from CNCStepper.control.stream.job_run import KEPT, LOST
 from CNCStepper.controllers.lathe.board import ONE_WAY, SWITCH_ON_AGAIN
-from CNCStepper.errors import JobError, ProgramError, Text, joined
+from CNCStepper.cycles.catalogue import CYCLES
+from CNCStepper.cycles.turning.turning_operation import TURNING_OPERATIONS
+from CNCStepper.drawing.selection import Selection
+from CNCStepper.errors import JobError, Place, ProgramError, Text, joined
 from CNCStepper.gcode.interpreter.interpret import interpret
+from CNCStepper.job.make import numbered
 from CNCStepper.state import Start
 from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.restart.restart_places import title_of
 from CNCStepper.workbench.services.message_translation import CATALOGUE, FORMER, VALUE, translated
 
 LIMIT = Text("at most {largest_tool}", largest_tool=3)
@@ -143,3 +148,40 @@ def test_the_messages_of_our_controllers_are_said_in_portuguese(text: str) -> No
     english = [" the ", " is ", " it ", "there", "pulses", " late ", " none"]
     assert said != text and not [word for word in english if word in f" {said} "], said
     assert re.findall(r"\d+(?:\.\d+)?", text) == re.findall(r"\d+(?:\.\d+)?", said)
+
+
+@pytest.mark.parametrize(
+    ("place", "said"),
+    [
+        (Place(numbered(2, "elliptical_pocket")), "operação 2 (bolsão elíptico)"),
+        (Place("operation 3 (turn face)"), "operação 3 (facear no torno)"),
+        (Place(Text("row {number}", number=4)), "linha 4"),
+        (Place(Text("profile '{name}'", name="pocket")), "perfil 'pocket'"),
+        (Place("pocket.nc", 5), "pocket.nc:5"),
+    ],
+)
+def test_the_place_of_an_error_is_said_in_portuguese(place: Place, said: str) -> None:
+    assert messages.sentence(JobError("x", "it rests", place=place)) == f"{said}: it rests"
+
+
+def test_the_place_before_a_sentence_that_a_document_has_stored_is_said_in_portuguese() -> None:
+    assert translated("operation 1 (drill): take out R") == "operação 1 (furar): retire R"
+    assert translated("drill: take out R") == "drill: retire R", "an object that somebody called so keeps its name"
+
+
+@pytest.mark.parametrize("cycle", [*CYCLES, *TURNING_OPERATIONS])
+def test_every_operation_has_a_name_in_portuguese(cycle: str) -> None:
+    name = cycle.replace("_", " ")
+    assert numbered(7, cycle) == f"operation 7 ({name})"
+    assert translated(numbered(7, cycle)).startswith("operação 7 (") and f"({name})" not in translated(
+        numbered(7, cycle)
+    )
+    assert title_of(name) not in (name, "")
+    assert title_of("slot") == "slot", "an operation of another program"
+
+
+def test_what_a_selection_of_a_drawing_takes_is_said_in_portuguese() -> None:
+    words = Selection(layer=("yes", "cut*"), closed=True, filled=False).words
+    assert words == "layer 'yes' or 'cut*', closed yes, filled no"
+    assert translated(words) == "layer 'yes' ou 'cut*', closed sim, filled não"
+    assert translated(Selection().words) != Selection().words == "all of it"
