@@ -13,7 +13,7 @@ from test_language import PORTUGUESE, STARTED_IN, shown_texts
 from test_road import DOCK, accept, ours, own_sessions, state, step  # noqa: F401
 
 from CNCStepper.workbench import first_run
-from CNCStepper.workbench.document import targets
+from CNCStepper.workbench.document import program_file, targets
 from CNCStepper.workbench.first_run.card_setting import CLOSED, GROUP, was_closed
 from CNCStepper.workbench.first_run.examples import EXAMPLES
 from window_helpers import screen_places as places
@@ -84,8 +84,9 @@ def test_an_example_is_two_clicks(hand: Hand, number: int) -> None:
     hand.wait(lambda: places.popup_entry(example.title))
     hand.shot("first-steps-examples")
     hand._click_place(hand.main(places.popup_entry, example.title))
-    hand.wait(lambda: FreeCAD.ActiveDocument is not None and targets.jobs() and targets.jobs()[0].Operations, 60)
-    assert hand.main(lambda: targets.jobs()[0].Label) == example.path.stem
+    hand.wait(lambda: targets.jobs() and program_file.load(targets.jobs()[0]), 120, "the program")
+    job = hand.main(lambda: targets.jobs()[0])
+    assert hand.main(lambda: (job.Label, job.Document.UndoNames)) == (example.path.stem, [example.title])
     hand.shot(f"example-{example.path.stem}")
 
 

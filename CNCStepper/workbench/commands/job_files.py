@@ -31,11 +31,13 @@ class OpenJob(Command):
 
     def take(self, path: str) -> None:
         """Make the objects as one undo step, and show what they do not hold."""
+        from pathlib import Path
+
         import FreeCAD
 
-        from CNCStepper.workbench.document.job_files import open_as_one_step
+        from CNCStepper.workbench.document.job_opening import JobOpening
 
-        open_as_one_step(targets.document() or FreeCAD.newDocument(), path, self.text())
+        JobOpening(targets.document() or FreeCAD.newDocument(), Path(path), self.text()).begin()
 
 
 class ExportJob(Command):

@@ -8,29 +8,28 @@ file ──► Job ──► opened: job, tools, operations, a Part object with 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
 from CNCStepper.errors import CNCStepperError, JobError, Place, Text
 from CNCStepper.machine.processes import PROCESSES
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.document import undo_steps
-from CNCStepper.workbench.document.turning.turning_files import export_turning_job, open_turning_job
+from CNCStepper.workbench.document.turning.turning_files import export_turning_job, turning_objects_of
 from CNCStepper.workbench.drawings.exact_curves import ROUNDING_MM
 from CNCStepper.workbench.features.base import LATHE_JOB, edit, proxy_type
 from CNCStepper.workbench.features.catalogue import operation_class
-from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.messages import guarded, notice
+from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
-from CNCStepper.workbench.services.view_fit import show_all
 
 if TYPE_CHECKING:
     from CNCStepper.geometry.curve import Curve
     from CNCStepper.job.model import Job
+    from CNCStepper.job.turning.turning_job import TurningJob
 
+Made = TypeVar("Made")
 JOB_KEYS = ("units", "work_offset", "process", "clearance_mm", "retract_mm", "coolant", "material", "consumable")
 CURVES = ("outlines", "islands", "curves")  # of an operation, that its drawings give
 MARKS, CIRCLES = "marks", "circles"
@@ -57,30 +56,43 @@ def open_job(document: Any, path: str | Path) -> tuple[Any, list[str]]:
     Raises JobError for a file that is no job.
     """
     packages.require()
+    return exhausted(objects_of(document, read_job(Path(path)), Path(path)))
+
+
+def read_job(path: Path) -> Job | TurningJob:
+    """Return the job of a file, in whatever thread; raises JobError for a file that is no job."""
     from CNCStepper.job.model import Job
+    from CNCStepper.job.turning.turning_job import load_turning_job
     from CNCStepper.machine.files.toml_reader import read_toml
     from CNCStepper.machine.processes import is_turning
 
-    if Path(path).suffix.casefold() == ".toml" and is_turning(read_toml(Path(path))):
-        return open_turning_job(document, Path(path))
-    model = Job.load(path)
-    job = opened(document, model, Path(path).stem)
-    return job, [*model.notes, *differences(job, model)]
+    if path.suffix.casefold() == ".toml" and is_turning(read_toml(path)):
+        return load_turning_job(path)[0]
+    return Job.load(path)
 
 
-def open_as_one_step(document: Any, path: str, text: str) -> None:
-    """Make the objects of a job file as one undo step with that text, bring them into view, and say what they lack."""
-    undo_steps.begin(document, text)
-    try:
-        _, notes = open_job(document, path)
-        document.recompute()
-    except Exception:
-        document.abortTransaction()
-        raise
-    document.commitTransaction()
-    show_all()
-    if notes:
-        notice(tr("{0} was opened").format(Path(path).name), "\n".join(map(translated, notes)))
+def objects_of(document: Any, job: Job | TurningJob, path: Path) -> Generator[None, None, tuple[Any, list[str]]]:
+    """Return the new job object of a file's job, and what of it FreeCAD's objects do not hold.
+
+    Yields after each object, so that a window can see to its events. Raises JobError for what FreeCAD has none of.
+    """
+    from CNCStepper.job.model import Job
+
+    if not isinstance(job, Job):
+        return (yield from turning_objects_of(document, job, path))
+    obj = begun(document, job, path.stem)
+    yield
+    yield from filled(obj, job)
+    return obj, [*job.notes, *differences(obj, job)]
+
+
+def exhausted(making: Generator[None, None, Made]) -> Made:
+    """Return what a generator returns, without a pause."""
+    while True:
+        try:
+            next(making)
+        except StopIteration as end:
+            return end.value
 
 
 def exported(obj: Any) -> Job:
@@ -99,15 +111,8 @@ def with_whole_path(obj: Any, job: Job) -> Job:
     return job.model_copy(update={"machine": machine})
 
 
-def opened(document: Any, job: Job, label: str) -> Any:
-    """Return a new job object with the tools and operations of a job; raises JobError for what FreeCAD has none of."""
-    obj = begun(document, job, label)
-    fill(obj, job)
-    return obj
-
-
 def begun(document: Any, job: Job, label: str) -> Any:
-    """Return a new job object with the values of a job, without its tools and operations; raises as `opened`."""
+    """Return a new job object with the values of a job, without its tools and operations; raises as `objects_of`."""
     from CNCStepper.workbench import api
 
     obj = api.new_job(document, **job_values(job, label))
@@ -134,13 +139,7 @@ def job_values(job: Job, label: str) -> dict[str, Any]:
     return {"machine": job.machine, "chart": job.chart, **keys, **stock, "edge_mm": job.stock.edge_mm or 0.0}
 
 
-def fill(obj: Any, job: Job, objects_with: ObjectsWith = lambda curves: []) -> None:
-    """Do all that `filled` does at once."""
-    for _ in filled(obj, job, objects_with):
-        pass
-
-
-def filled(obj: Any, job: Job, objects_with: ObjectsWith) -> Iterator[None]:
+def filled(obj: Any, job: Job, objects_with: ObjectsWith = lambda curves: []) -> Iterator[None]:
     """Give a job object the tools, operations and clamps of a job, whose curves lie where the document has them.
 
     objects_with: returns the objects of the document that hold just some curves, none where there are no such ones.

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from CNCStepper.errors import CNCStepperError
-from CNCStepper.workbench.document.job_files import begun, filled, replaced, with_whole_path
+from CNCStepper.workbench.document.job_files import begun, exhausted, filled, replaced, with_whole_path
 from CNCStepper.workbench.drawings.exact_curves import all_kept
 from CNCStepper.workbench.features.base import edit
 from CNCStepper.workbench.features.drawings.drawing import form_of, path_of
@@ -70,12 +70,7 @@ def apply_template(drawing: Any, template: Path, job: Any = None) -> Any:
 
     path = template.absolute()
     answer = template_answer(asked_of(drawing, read_toml(path), path, True))
-    making = made(drawing, answer, job)
-    while True:
-        try:
-            next(making)
-        except StopIteration as end:
-            return end.value
+    return exhausted(made(drawing, answer, job))
 
 
 def new_template(drawing: Any, job: Any) -> Content:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.workbench import packages
-from CNCStepper.workbench.document.job_files import open_as_one_step
+from CNCStepper.workbench.document.job_opening import JobOpening
 from CNCStepper.workbench.services.translation import later, tr
 
 FOLDER = packages.ROOT / "examples" / "jobs"
@@ -38,9 +38,9 @@ EXAMPLES = (
 
 
 def open_example(example: Example) -> Any:
-    """Open an example in a new document, as one undo step, and return the document."""
+    """Return a new document in which an example is opened, as one undo step, while the window goes on."""
     import FreeCAD
 
     document = FreeCAD.newDocument(example.path.stem)
-    open_as_one_step(document, str(example.path), tr(example.title))
+    JobOpening(document, example.path, tr(example.title)).begin()
     return document

@@ -7,6 +7,7 @@ file ──► TurningJob ──► opened: job, tools, an object by points for 
 
 from __future__ import annotations
 
+from collections.abc import Generator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -37,31 +38,36 @@ def with_whole_machine(job: Any, obj: Any) -> Any:
     return job.model_copy(update={"machine": machine})
 
 
-def open_turning_job(document: Any, path: Path) -> tuple[Any, list[str]]:
-    """Return a new lathe job object with what a job file holds, and what of it the objects do not hold.
+def turning_objects_of(document: Any, job: TurningJob, path: Path) -> Generator[None, None, tuple[Any, list[str]]]:
+    """Return the new lathe job object of a file's job, and what of it the objects do not hold.
 
-    Raises JobError for a file that is no job.
+    Yields after each object, so that a window can see to its events.
     """
     from CNCStepper.job.model import machine_path
-    from CNCStepper.job.turning.turning_job import load_turning_job
     from CNCStepper.workbench.document.turning.core_turning_job import turning_job_of
 
-    job, _ = load_turning_job(path)
-    obj = _opened(document, job, str(machine_path(job.machine, path.parent)), path.stem)
+    obj = yield from _opened(document, job, str(machine_path(job.machine, path.parent)), path.stem)
+    yield
     try:
         return obj, _differences(turning_job_of(obj), job)
     except CNCStepperError as error:  # the operation that cannot be made says it too
         return obj, [error.sentence]
 
 
-def _opened(document: Any, job: TurningJob, machine: str, label: str) -> Any:
+def _opened(document: Any, job: TurningJob, machine: str, label: str) -> Generator[None, None, Any]:
     from CNCStepper.workbench import api
 
     obj = api.new_lathe_job(document, **setup_values(job, machine))
     obj.Label = label
-    tools = {tool.number: api.add_tool(obj, **keys_of(tool)) for tool in job.tool}
-    profiles = {form.name: _profile(document, form, job) for form in job.profile}
+    tools, profiles = {}, {}
+    for tool in job.tool:
+        yield
+        tools[tool.number] = api.add_tool(obj, **keys_of(tool))
+    for form in job.profile:
+        yield
+        profiles[form.name] = _profile(document, form, job)
     for operation in job.operation:
+        yield
         content = operation.model_dump(exclude={"cycle", "tool", "profile"})
         drawing = profiles.get(getattr(operation, "profile", ""))
         api.add_operation(obj, operation.cycle, drawing, tool=tools[operation.tool], **content)
