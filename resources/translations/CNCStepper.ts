@@ -8279,6 +8279,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Operations and contours from which the program can be restarted</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Order</source>
             <translation type="unfinished"></translation>
         </message>

@@ -8279,6 +8279,10 @@
             <translation>Operações</translation>
         </message>
         <message>
+            <source>Operations and contours from which the program can be restarted</source>
+            <translation>Operações e contornos a partir dos quais o programa pode ser reiniciado</translation>
+        </message>
+        <message>
             <source>Order</source>
             <translation>Ordem</translation>
         </message>

@@ -41,7 +41,8 @@ class ConnectPage(Page):
         self.port.setToolTip(tr("A serial port, or an address as 192.168.0.7:23"))
         self.port.setSizeAdjustPolicy(QtGui.QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.port.editTextChanged.connect(guarded(self.refresh))
-        self.baud = combo("baud", [(str(rate), str(rate)) for rate in BAUDS], self.refresh)
+        rates = [(str(rate), str(rate)) for rate in BAUDS]
+        self.baud = combo("baud", tr("The baud rate of the serial port"), rates, self.refresh)
         self.baud.setCurrentText(str(settings.last_baud()))
         self.again = self.button("look", tr("Look again"), self._look)
         self.connecting = self.button("connect", tr("Connect"), self._connect)

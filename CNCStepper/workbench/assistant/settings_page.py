@@ -46,7 +46,8 @@ class SettingsPage(Page):
         self._backup: dict[int, float] = {}
         self._rows: list[ComparedSetting] = []
         self._lines: list[str] = []  # that are being written
-        self.other = combo("other", [(tr("the machine's values"), PROFILE), (tr("a backup…"), BACKUP)], self._chosen)
+        others = [(tr("the machine's values"), PROFILE), (tr("a backup…"), BACKUP)]
+        self.other = combo("other", tr("Compare with"), others, self._chosen)
         self.only = QtGui.QCheckBox(tr("Only differences"))
         self.only.setObjectName(f"{NAME}_only")
         self.only.clicked.connect(messages.guarded(self._fill))
@@ -54,6 +55,7 @@ class SettingsPage(Page):
         self.writing = self.button("write", tr("Write the differences…"), self._write)
         self.table = QtGui.QTableWidget(0, COLUMNS)
         self.table.setObjectName(f"{NAME}_settings")
+        self.table.setAccessibleName(tr(TITLE))
         self.table.setHorizontalHeaderLabels(["$", "", tr("Name"), tr("Unit"), tr("Controller"), tr("Wanted")])
         self.table.verticalHeader().setVisible(False)
         self.table.horizontalHeader().setSectionResizeMode(NAME_COLUMN, QtGui.QHeaderView.ResizeMode.Stretch)

@@ -30,9 +30,10 @@ class StartPage(Page):
         self._starts: list[StartMachine] = start_machines()
         processes = [(choice_label(("processes",), name), name) for name in PROCESSES]
         every = (tr("all"), "")
-        self.process = combo("process", [every, *processes, (tr("turning"), LATHE)], self._filter)
+        self.process = combo("process", tr("Process"), [every, *processes, (tr("turning"), LATHE)], self._filter)
         controllers = sorted({start.machine.controller.partition(":")[0] for start in self._starts} | set(FAMILIES))
-        self.controller = combo("controller", [every, *((name, name) for name in controllers)], self._filter)
+        every_controller = [every, *((name, name) for name in controllers)]
+        self.controller = combo("controller", tr("Controller"), every_controller, self._filter)
         self.list = QtGui.QListWidget()
         self.list.setObjectName(f"{NAME}_starts")
         self.list.setAccessibleName(tr("Machines"))

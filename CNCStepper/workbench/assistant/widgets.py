@@ -75,20 +75,22 @@ def row(*widgets: Any) -> Any:
     return line
 
 
-def combo(name: str, entries: list[tuple[str, str]], chosen: Callable[[], object]) -> Any:
-    """Return a list of choices, each a text and what it stands for."""
+def combo(name: str, spoken: str, entries: list[tuple[str, str]], chosen: Callable[[], object]) -> Any:
+    """Return a list of choices, each a text and what it stands for; spoken: what a screen reader says of it."""
     made = QtGui.QComboBox()
     made.setObjectName(f"{NAME}_{name}")
+    made.setAccessibleName(spoken)
     for text, data in entries:
         made.addItem(text, data)
     made.activated.connect(guarded(lambda: chosen()))
     return made
 
 
-def number(name: str, value: float, most: float, suffix: str) -> Any:
-    """Return a field for a length or a feed."""
+def number(name: str, spoken: str, value: float, most: float, suffix: str) -> Any:
+    """Return a field for a length or a feed; spoken: what a screen reader says of it."""
     made = QtGui.QDoubleSpinBox()
     made.setObjectName(f"{NAME}_{name}")
+    made.setAccessibleName(spoken)
     made.setDecimals(3)
     made.setRange(0.001, most)
     made.setValue(value)

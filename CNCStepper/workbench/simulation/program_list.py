@@ -11,6 +11,8 @@ from typing import Any
 
 from PySide import QtCore, QtGui
 
+from CNCStepper.workbench.services.translation import tr
+
 DISPLAY = QtCore.Qt.ItemDataRole.DisplayRole
 LEAST_LINES = 7
 
@@ -64,6 +66,7 @@ class ProgramList(QtGui.QTableView):
     def __init__(self, parent: Any = None):
         super().__init__(parent)
         self.setObjectName("CNCStepper_Simulation_program")
+        self.setAccessibleName(tr("Program"))
         self.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.SystemFont.FixedFont))
         self.setShowGrid(False)
         self.setWordWrap(False)
