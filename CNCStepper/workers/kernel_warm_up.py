@@ -38,6 +38,11 @@ def warm() -> None:
     read_all_ways()
     for writer in (RegisterWriter(Signals(), PLAYED_AXES), BoardWriter()):
         load_kernels(writer)
+    cut_each_kind()
+
+
+def cut_each_kind() -> None:
+    """Make one cut of each kind."""
     for cuts in CUTS:
         job, machine = load_job(cuts)
         for operation in job.operation:

@@ -14,13 +14,27 @@ if INSIDE:
     from typing import Any
 
     import FreeCAD
+    import FreeCADGui
     import pytest
 
     from CNCStepper.workbench.calculation import kernel_warmup
     from window_helpers import touches, window_kinds
     from window_helpers.hand import PICTURES, Hand
+    from window_helpers.interface import LONGEST_MS, ControlOfFreeCAD
     from window_helpers.twin import Twin
 
+    WATCHED = {
+        "test_assistant.py",
+        "test_comparison.py",
+        "test_first_evening.py",
+        "test_first_run.py",
+        "test_language.py",
+        "test_lathe.py",
+        "test_libraries.py",
+        "test_machines.py",
+        "test_preferences.py",
+    }
+    LOOSER = {"test_preferences.py": (90.0, "FreeCAD makes its whole dialog of preferences in the event of our page")}
     KERNELS_S = 540  # so long may the kernels take to be compiled, on a busy machine
 
     def pytest_configure(config: pytest.Config) -> None:
@@ -39,6 +53,7 @@ if INSIDE:
     def the_hand() -> Iterator[Hand]:
         """The one hand of this window, when FreeCAD has opened the workbench and no kernel is being compiled."""
         hand = Hand(*FreeCAD.__cncstepper_window__)
+        FreeCADGui.Control = ControlOfFreeCAD(FreeCADGui.Control, FreeCAD.__cncstepper_window__[0])
         if window_kinds.AUTOLOAD not in os.environ:
             hand.wait(hand.workbench_is_open, 60)
             hand.wait(lambda: kernel_warmup.running() is None, KERNELS_S, "the kernels")
@@ -90,3 +105,16 @@ if INSIDE:
         the_hand.tidy()
         bad = the_hand.unexpected()
         assert not bad, "the report view holds:\n" + "\n".join(f"{line.kind}: {line.text}" for line in bad)
+
+    @pytest.fixture(autouse=True)
+    def never_busy(the_hand: Hand, request: pytest.FixtureRequest) -> Iterator[None]:
+        """In the files of `WATCHED` no event of the window takes our package longer than it may."""
+        if request.path.name not in WATCHED:
+            yield
+            return
+        with the_hand.event_watchdog() as watch:
+            yield
+        most_ms, why = LOOSER.get(request.path.name, (LONGEST_MS, ""))
+        if why or watch.longest.ours_ms > 0.8 * most_ms:
+            print(f"{watch.longest}\n{why}", flush=True)
+        assert watch.longest.ours_ms < most_ms, str(watch.longest)

@@ -221,7 +221,7 @@ def test_a_cancelled_new_operation_is_gone_and_a_kept_one_is_undone_at_once(hand
 
     count, before = hand.main(lambda: len(bench.document.Objects)), hand.main(bench.values)
     hand.main(new)
-    assert hand.main(lambda: len(bench.document.Objects)) == count + 1
+    hand.wait(lambda: len(bench.document.Objects) == count + 1, 5, "the new object")
     bench.opened()
     hand.key("Esc")
     hand.wait(bench.closed)

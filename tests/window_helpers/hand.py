@@ -20,7 +20,7 @@ from PySide import QtGui
 
 from window_helpers import report_view, x_input
 from window_helpers import screen_places as places
-from window_helpers.interface import Interface, Keeper, Watchdog, interface_stack
+from window_helpers.interface import EventWatchdog, Interface, Keeper, Watchdog, interface_stack
 from window_helpers.touches import Touches
 
 PICTURES = Path(os.environ["CNCSTEPPER_WINDOW_PICTURES"])
@@ -89,6 +89,10 @@ class Hand:
     def watchdog(self) -> Watchdog:
         """Measure the longest block of the interface thread: `with hand.watchdog() as watch: …; watch.max_ms`."""
         return Watchdog(self._interface)
+
+    def event_watchdog(self) -> EventWatchdog:
+        """Measure what our package takes in the longest event, without what the test itself asks for."""
+        return EventWatchdog(self._interface)
 
     def memory_mb(self) -> float:
         """Return the memory that FreeCAD's process holds at this moment."""

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import gc
+import os
 import queue
 import sys
 import threading
@@ -11,6 +12,8 @@ import time
 import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -47,6 +50,7 @@ class Interface(QtCore.QObject):
         """Make it on the interface thread: that is where the functions will run."""
         super().__init__()
         self.while_asked: Callable[[], None] = lambda: None
+        self.watchdogs: list[EventWatchdog] = []  # those that leave out what the tests ask here
         self._timer = QtCore.QTimer(self)
         self._timer.timeout.connect(lambda: time.sleep(0))
         self._timer.start(self.LET_GO_EVERY_MS)
@@ -63,11 +67,15 @@ class Interface(QtCore.QObject):
         answers: queue.Queue[tuple[Any, BaseException | None]] = queue.Queue()
 
         def task() -> None:
+            for watchdog in self.watchdogs:
+                watchdog.end_block()
             try:
                 answer = (function(*arguments), None)
             except BaseException as error:
                 answer = (None, error)
             self.while_asked()
+            for watchdog in self.watchdogs:
+                watchdog.begin_block()
             answers.put(answer)
 
         self._asked.emit(task)
@@ -216,3 +224,116 @@ class Watchdog:
             f"{self.max_waited_ms:.0f} ms of waiting) in\n{self.where}\n"
             f"the most of its own work in\n{self.where_cpu}"
         )
+
+
+PACKAGE = str(Path(__file__).resolve().parents[2] / "CNCStepper") + os.sep
+LONGEST_MS = 50.0  # so much of its processor time may our package use in one event of the window, at usual speed
+KEPT_MS = 25.0  # shorter blocks are forgotten
+
+Sample = tuple[tuple[str, int, str], ...]  # file, line and function of each of our calls, the innermost first
+
+
+@dataclass(frozen=True)
+class Block:
+    """What kept the interface thread from its events: the processor time of our package in it, and where that was."""
+
+    ours_ms: float
+    cpu_ms: float
+    where: Sample
+
+    def __str__(self) -> str:
+        calls = "\n".join(f"  {path.removeprefix(PACKAGE)}:{line} {name}" for path, line, name in self.where)
+        return f"{self.ours_ms:.0f} ms of our own in a block of {self.cpu_ms:.0f} ms, most often in\n{calls}"
+
+
+class EventWatchdog(Watchdog):
+    """A watchdog over what events do in the window: what tests ask the interface thread for is left out.
+
+    `blocks` has those that used most. Of each, that share of the processor time is our package's in which samples saw
+    it at work: the rest is FreeCAD's and Qt's own. `ControlOfFreeCAD` leaves out what FreeCAD does for us.
+    """
+
+    SAMPLE_S = 0.005
+
+    def __init__(self, interface: Interface) -> None:
+        super().__init__(interface)
+        self.blocks: list[Block] = []
+        self._samples: list[Sample] = []
+
+    def __enter__(self) -> EventWatchdog:
+        super().__enter__()
+        self._interface.watchdogs.append(self)
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._interface.watchdogs.remove(self)
+        super().__exit__(*error)
+        self.blocks = [replace(block, ours_ms=block.ours_ms / self.slowness) for block in self.blocks]
+
+    @property
+    def longest(self) -> Block:
+        """The block in which our package used most."""
+        return max(self.blocks, key=lambda block: block.ours_ms, default=Block(0.0, 0.0, ()))
+
+    def end_block(self) -> None:
+        """End a block where the tests' own work begins."""
+        self._tick()
+
+    def begin_block(self) -> None:
+        """Begin a block behind the tests' own work."""
+        self._samples = []
+        self._seen_s, self._cpu_s = time.perf_counter(), time.thread_time()
+
+    def _tick(self) -> None:
+        samples, self._samples = self._samples, []
+        cpu_ms = 1000 * (time.thread_time() - self._cpu_s)
+        ours = [sample for sample in samples if sample] if cpu_ms > KEPT_MS else []
+        if ours:
+            self.blocks.append(Block(cpu_ms * len(ours) / len(samples), cpu_ms, max(ours, key=ours.count)))
+        super()._tick()
+
+    def _look(self) -> None:
+        while not self._ended.wait(self.SAMPLE_S):
+            self._samples.append(our_calls())
+
+
+def our_calls() -> Sample:
+    """Return the calls of our package that the interface thread is in."""
+    frame, calls = sys._current_frames().get(threading.main_thread().ident or 0), []
+    while frame is not None:
+        path = plain_path(frame.f_code.co_filename)
+        if path.startswith(PACKAGE):
+            calls.append((path, frame.f_lineno, frame.f_code.co_name))
+        frame = frame.f_back
+    return tuple(calls)
+
+
+class ControlOfFreeCAD:
+    """FreeCAD's `FreeCADGui.Control`, whose long calls are no work of ours.
+
+    showDialog: Qt lays out and paints a panel. closeDialog: FreeCAD deletes it and shows its tree again.
+    """
+
+    LONG = ("showDialog", "closeDialog")
+
+    def __init__(self, control: Any, interface: Interface) -> None:
+        self._control, self._interface = control, interface
+
+    def __getattr__(self, name: str) -> Any:
+        method = getattr(self._control, name)
+        return partial(self._call, method) if name in self.LONG else method
+
+    def _call(self, method: Callable[..., Any], *arguments: Any) -> Any:
+        for watchdog in self._interface.watchdogs:
+            watchdog.end_block()
+        try:
+            return method(*arguments)
+        finally:
+            for watchdog in self._interface.watchdogs:
+                watchdog.begin_block()
+
+
+@cache
+def plain_path(path: str) -> str:
+    """Return a path without the dots that FreeCAD puts into it."""
+    return os.path.normpath(path)

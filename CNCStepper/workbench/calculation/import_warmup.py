@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Loads what the first panels need, soon after the workbench is open.
+"""Loads what the first panels, dialogs and the dock need, soon after the workbench is open.
 
 Loaded with the first panel, it would keep the window from its events for half a second and more.
 
 opening.py ──► after AFTER_MS: begin ──► thread: modules of the core, then one kernel: numba loads as much for it
                begin_in_window ──► when these are loaded: one of the window's own modules in each of its events
+                               ──► then: thread: all kernels, where they are compiled already
 """
 
 from __future__ import annotations
@@ -37,6 +38,23 @@ MODULES = (  # of the core alone: modules of FreeCAD and Qt belong to the window
     "CNCStepper.job.templates.begun_job",
     "CNCStepper.job.templates.turning_template",
     "CNCStepper.job.turning.turning_transfer",
+    "CNCStepper.job.stock_fit",
+    "CNCStepper.job.proof_folder",
+    "CNCStepper.job.turning.turning_proof_folder",
+    "CNCStepper.job.turning.prove_program",
+    "serial.tools.list_ports",
+    "CNCStepper.control.service.connection_client",
+    "CNCStepper.control.service.work_zero",
+    "CNCStepper.control.settings.settings_profile",
+    "CNCStepper.control.settings.settings_restore",
+    "CNCStepper.control.protocol.grbl.capabilities",
+    "CNCStepper.control.program.send_job",
+    "CNCStepper.control.journal.replay",
+    "CNCStepper.recovery.restart.restart_places",
+    "CNCStepper.recovery.restart.restart_proof_folder",
+    "CNCStepper.simulation.tip_follower",
+    "CNCStepper.simulation.views.depth_colours",
+    "CNCStepper.simulation.views.path_lines",
 )
 WINDOW_MODULES = (  # an import of `api` or of the panels is long as a whole: its parts come first
     "CNCStepper.workbench.document.drawing_files",
@@ -64,9 +82,24 @@ WINDOW_MODULES = (  # an import of `api` or of the panels is long as a whole: it
     "CNCStepper.workbench.document.turning.core_turning_job",
     "CNCStepper.workbench.templates.turning_template",
     "CNCStepper.workbench.panels.catalogue",
+    "CNCStepper.workbench.panels.job",
+    "CNCStepper.workbench.panels.turning",
+    "CNCStepper.workbench.panels.placing.nest",
+    "CNCStepper.workbench.panels.drawing",
+    "CNCStepper.workbench.panels.text",
+    "CNCStepper.workbench.editor.view_session",
+    "CNCStepper.workbench.simulation.task",
+    "CNCStepper.workbench.simulation.turned_task",
+    "CNCStepper.workbench.restart.panel",
+    "CNCStepper.workbench.restart.task",
+    "CNCStepper.workbench.dock.connection",
+    "CNCStepper.workbench.dock.controller_panel",
+    "CNCStepper.workbench.libraries.dialog",
+    "CNCStepper.workbench.machines.dialog",
+    "CNCStepper.workbench.assistant.wizard",
 )
 
-ended = False  # whether `begin_in_window` has loaded all that can be loaded
+ended = False  # whether what `begin_in_window` has begun is over
 
 
 def begin() -> Future[None]:
@@ -108,8 +141,21 @@ def _load_next(loaded: Future[None], left: Iterator[str], timer: Any) -> None:
     if (name := next(left, "")) and loaded.exception() is None:
         _load(name)
         return
-    global ended
-    ended = True
     timer.stop()
     timer.deleteLater()
     loaded.result()
+    in_background(_load_kernels)
+
+
+def _load_kernels() -> None:
+    """Load the machine code of what is cut in the window, which takes a tenth of a second for each kind of cut."""
+    from CNCStepper.workbench.calculation.kernel_warmup import are_compiled
+
+    global ended
+    try:
+        if are_compiled():
+            from CNCStepper.workers.kernel_warm_up import cut_each_kind
+
+            cut_each_kind()
+    finally:
+        ended = True

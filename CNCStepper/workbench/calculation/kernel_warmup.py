@@ -94,15 +94,25 @@ def running() -> KernelWarmup | None:
     return _run if jit_guard.compiling_elsewhere else None
 
 
+def are_compiled() -> bool:
+    """Return whether numba has compiled all kernels of these sources."""
+    return _stamped() is True
+
+
 def _cold() -> bool:
     """Return whether there is numba and nothing that it has compiled of these sources."""
     packages.make_available()
+    return _stamped() is False
+
+
+def _stamped() -> bool | None:
+    """Return whether the stamp is there that all is compiled, None without numba."""
     try:
         from CNCStepper import kernel_cache
 
-        return not kernel_cache.stamp().exists()
+        return kernel_cache.stamp().exists()
     except (PackageNotFoundError, ModuleNotFoundError):
-        return False
+        return None
 
 
 def _make_what_waits() -> None:

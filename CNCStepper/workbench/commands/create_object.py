@@ -12,7 +12,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, TypeVar
+
+from PySide import QtCore
 
 from CNCStepper.job import request_digest
 from CNCStepper.job.deferred_fitting import Unfitted, only_looking
@@ -27,6 +29,7 @@ from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.messages import guarded, note
 from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
 
+Made = TypeVar("Made")
 WHO = object()  # one asks at a time: a newer click takes the place of the one before
 
 
@@ -34,15 +37,31 @@ def create(document: Any, title: str, make: Callable[[], Any]) -> None:
     """Make an object inside one transaction and open its panel, which commits or aborts it; drawing ends.
 
     `title` stands in the list of undo steps. When the object cannot be made, or its panel not be opened, the
-    document is as it was, and the reason is raised.
+    document is as it was, and the reason is shown. Object and panel come in an event each, for both take long
+    together; the first is not that of the command either, at whose end FreeCAD commits what is open without a panel.
     """
+    QtCore.QTimer.singleShot(0, guarded(partial(_make, document, title, make)))
+
+
+def _make(document: Any, title: str, make: Callable[[], Any]) -> None:
     from CNCStepper.workbench import freehand
-    from CNCStepper.workbench.panels import open_panel
 
     freehand.leave()
     undo_steps.begin(document, title)
+    made = _or_abort(document, make)
+    QtCore.QTimer.singleShot(0, guarded(lambda: _or_abort(document, partial(_open, made))))
+
+
+def _open(made: Any) -> None:
+    from CNCStepper.workbench.panels import open_panel
+
+    open_panel(made)
+
+
+def _or_abort(document: Any, act: Callable[[], Made]) -> Made:
+    """Return what an act returns; where it fails, the document is as it was."""
     try:
-        open_panel(make())
+        return act()
     except Exception:
         document.abortTransaction()
         raise

@@ -66,7 +66,9 @@ class JobOpening:
             next(self._making)
         except StopIteration as end:
             self._notes = end.value[1]
-            self._remaking = RemakeBeside(self._document(), lambda words: note(tr(words)), guarded(self._made))
+            self._remaking = RemakeBeside(
+                self._document(), lambda words: note(tr(words)), lambda: self._soon(self._made)
+            )
             self._remaking.begin()
         except Exception:
             self._document().abortTransaction()

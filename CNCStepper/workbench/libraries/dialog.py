@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import FreeCADGui
@@ -11,6 +12,7 @@ from PySide import QtGui
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.machine.libraries.chart_library import CHARTED, ChartLibrary
 from CNCStepper.machine.libraries.material_library import MaterialLibrary
+from CNCStepper.machine.libraries.table_draft import Library
 from CNCStepper.machine.libraries.tool_library import ToolLibrary
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.document.tools import library_of_job
@@ -18,6 +20,7 @@ from CNCStepper.workbench.help import f1_key
 from CNCStepper.workbench.libraries.library_page import Page
 from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.choice_labels import words_of
+from CNCStepper.workbench.services.event_steps import in_events
 from CNCStepper.workbench.services.front_window import in_front
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
@@ -30,26 +33,38 @@ GUIDE = "libraries.md"
 class Libraries(QtGui.QDialog):
     """See the module."""
 
+    is_made = False  # whether all pages are there
+
     def __init__(self, parent: Any):
         super().__init__(parent)
         self.setObjectName(NAME)
         self.setWindowTitle(tr("Tools and materials"))
         f1_key.attach(self, GUIDE)
         self.resize(*SIZE)
-        self.tools = Page(ToolLibrary(), f"{NAME}_tools", self)
-        tip = tr("Save, and add the marked tools to the job")
-        self.to_job = self.tools.button("to_job", tr("Add to job"), tip, self.add_to_job)
-        self.materials = Page(MaterialLibrary(), f"{NAME}_materials", self)
-        self.charts = Page(ChartLibrary(CHARTED[0]), f"{NAME}_charts", self)
+        self.pages: dict[Page, str] = {}
         self._shown_process = 0
-        self._add_processes()
         self.tabs = QtGui.QTabWidget(self)
         self.tabs.setObjectName(f"{NAME}_tabs")
-        self.pages = {self.tools: tr("Tools"), self.materials: tr("Materials"), self.charts: tr("Cut charts")}
-        for page, title in self.pages.items():
-            self.tabs.addTab(page, title)
         column = QtGui.QVBoxLayout(self)
         column.addWidget(self.tabs)
+
+    def make_pages(self) -> Iterator[None]:
+        """Make the pages, a step each: all at once would keep the window too long."""
+        self.tools = self._page(ToolLibrary(), "tools", tr("Tools"))
+        tip = tr("Save, and add the marked tools to the job")
+        self.to_job = self.tools.button("to_job", tr("Add to job"), tip, self.add_to_job)
+        yield
+        self.materials = self._page(MaterialLibrary(), "materials", tr("Materials"))
+        yield
+        self.charts = self._page(ChartLibrary(CHARTED[0]), "charts", tr("Cut charts"))
+        self._add_processes()
+        self.is_made = True
+
+    def _page(self, library: Library, name: str, title: str) -> Page:
+        page = Page(library, f"{NAME}_{name}", self)
+        self.pages[page] = title
+        self.tabs.addTab(page, title)
+        return page
 
     def look(self) -> None:
         """Show the files as they are now, where nothing was typed; and whether there is a job to add tools to."""
@@ -57,6 +72,11 @@ class Libraries(QtGui.QDialog):
             if not page.draft.is_changed:
                 page.revert()
         self.to_job.setEnabled(not targets.why_no_job())
+
+    def look_in_front(self) -> None:
+        """Do what `look` does, and show the dialog in front."""
+        self.look()
+        in_front(self)
 
     def add_to_job(self) -> None:
         """Add the marked tools to the job as one undo step; what was typed is saved before."""
@@ -116,9 +136,13 @@ class Libraries(QtGui.QDialog):
 
 
 def shown() -> Libraries:
-    """Show the dialog, made at its first opening, and return it."""
+    """Return the dialog, made at its first opening; it is shown when all its pages are there."""
     window = FreeCADGui.getMainWindow()
     found = window.findChild(QtGui.QDialog, NAME)
-    dialog = found if isinstance(found, Libraries) else Libraries(window)
-    dialog.look()
-    return in_front(dialog)
+    if not isinstance(found, Libraries):
+        made = Libraries(window)
+        in_events(made.make_pages(), made.look_in_front)
+        return made
+    if found.is_made:
+        found.look_in_front()
+    return found

@@ -7,6 +7,7 @@ draft with a bad value cannot be saved, but stays as it was typed.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import FreeCADGui
@@ -22,9 +23,10 @@ from CNCStepper.workbench.machines.draft import Draft, text_of
 from CNCStepper.workbench.machines.fields import words_of
 from CNCStepper.workbench.machines.labels import label_of
 from CNCStepper.workbench.machines.machine_test_view import MachineTest
-from CNCStepper.workbench.machines.sections import scrolled, sections
+from CNCStepper.workbench.machines.sections import Section, scrolled, sections
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.event_steps import in_events
 from CNCStepper.workbench.services.front_window import in_front
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.standard_buttons import name_standard_buttons
@@ -53,17 +55,22 @@ class Machines(QtGui.QDialog):
         self.list.currentItemChanged.connect(guarded(self._chosen))
         self.tabs = QtGui.QTabWidget()
         self.tabs.setObjectName(f"{NAME}_tabs")
-        self.sections = sections(self._typed, self._pin_typed, self.judge)
-        for title, section in self.sections.items():
-            self.tabs.addTab(scrolled(section), title)
-        self.test = MachineTest(self.machine, self.propose)
-        self.tabs.addTab(scrolled(self.test), tr("Machine test"))
+        self.sections: dict[str, Section] = {}
+        self.test: Any = None
         self.note = note_label(f"{NAME}_error", ERROR_COLOUR, self)
         self.about = QtGui.QLabel()
         self.about.setObjectName(f"{NAME}_about")
         self.about.setWordWrap(True)
         self._arrange()
-        self.look()
+
+    def make_tabs(self) -> Iterator[None]:
+        """Make the tabs, a step each: all at once would keep the window too long."""
+        for title, make in sections(self._typed, self._pin_typed, self.judge).items():
+            self.sections[title] = make()
+            self.tabs.addTab(scrolled(self.sections[title]), title)
+            yield
+        self.test = MachineTest(self.machine, self.propose)
+        self.tabs.addTab(scrolled(self.test), tr("Machine test"))
 
     # --- what is asked of it -----------------------------------------------------------------------
 
@@ -81,6 +88,11 @@ class Machines(QtGui.QDialog):
         found = self.list.findItems(wanted, QtCore.Qt.MatchFlag.MatchExactly)
         self.list.setCurrentItem(found[0] if found else self.list.item(0))
         self._show_marks()
+
+    def look_in_front(self, wanted: str = "") -> None:
+        """Do what `look` does, and show the dialog in front."""
+        self.look(wanted)
+        in_front(self)
 
     def choose(self, name: str) -> None:
         """Show a profile, with what was typed into it before."""
@@ -269,12 +281,16 @@ class Machines(QtGui.QDialog):
 
 
 def shown(name: str = "") -> Machines:
-    """Show the dialog, made at its first opening, and return it."""
+    """Return the dialog, made at its first opening; it is shown when all its tabs are there."""
     window = FreeCADGui.getMainWindow()
     found = window.findChild(QtGui.QDialog, NAME)
-    dialog = found if isinstance(found, Machines) else Machines(window)
-    dialog.look(name)
-    return in_front(dialog)
+    if not isinstance(found, Machines):
+        made = Machines(window)
+        in_events(made.make_tabs(), lambda: made.look_in_front(name))
+        return made
+    if found.test is not None:
+        found.look_in_front(name)
+    return found
 
 
 def _free_name(source: str) -> str:

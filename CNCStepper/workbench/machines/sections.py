@@ -171,19 +171,22 @@ class WiringSection(Section):
         self.picture.show_pins(names, low)
 
 
-def sections(typed: Typed, pin_typed: Callable[[str, str], None], changed: Callable[[], object]) -> dict[str, Section]:
-    """Return the tabs by their titles; every row of the model stands in one of them."""
+def sections(
+    typed: Typed, pin_typed: Callable[[str, str], None], changed: Callable[[], object]
+) -> dict[str, Callable[[], Section]]:
+    """Return what makes the tabs by their titles; every row of the model stands in one of them."""
     of: dict[str, list[Row]] = {"axis": [], "planner": [], "spindle": [], "signals": [], "": []}
     for row in ROWS:
         top = {"outputs": "spindle"}.get(row.path[0], row.path[0])
         of[top if top in of else ""].append(row)
+    inputs = [key for key in TABLES if key != RELAYS]
     return {
-        tr("General"): FormSection(of[""], typed, (), changed),
-        tr("Axes"): AxesSection(of["axis"], typed),
-        tr("Ramps"): FormSection(of["planner"], typed, (), changed),
-        tr("Spindle and relays"): FormSection(of["spindle"], typed, (RELAYS,), changed),
-        tr("Signals and pins"): WiringSection(of["signals"], typed, pin_typed),
-        tr("Inputs"): FormSection((), typed, [key for key in TABLES if key != RELAYS], changed),
+        tr("General"): lambda: FormSection(of[""], typed, (), changed),
+        tr("Axes"): lambda: AxesSection(of["axis"], typed),
+        tr("Ramps"): lambda: FormSection(of["planner"], typed, (), changed),
+        tr("Spindle and relays"): lambda: FormSection(of["spindle"], typed, (RELAYS,), changed),
+        tr("Signals and pins"): lambda: WiringSection(of["signals"], typed, pin_typed),
+        tr("Inputs"): lambda: FormSection((), typed, inputs, changed),
     }
 
 

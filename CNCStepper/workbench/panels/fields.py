@@ -445,10 +445,19 @@ def field_class(entry: Property) -> type[Field]:
 
 
 class NoteLabel(QtGui.QLabel):
-    """A label that wraps, at least as high as its lines are: Qt's form layout may give it less in a style sheet."""
+    """A label that wraps, at least as high as its lines are: Qt's form layout may give it less in a style sheet.
+
+    It gets its looks with its first text: Qt takes long over a style sheet, and most notes of a panel stay empty.
+    """
+
+    def __init__(self, colour: str, parent: Any):
+        super().__init__(parent)
+        self._colour = colour
 
     def setText(self, text: str) -> None:
         """Show a text, and hold its lines."""
+        if text and self._colour:
+            self._dress()
         super().setText(text)
         self._hold_lines()
 
@@ -456,6 +465,13 @@ class NoteLabel(QtGui.QLabel):
         """Follow the width; Qt calls this."""
         super().resizeEvent(event)
         self._hold_lines()
+
+    def _dress(self) -> None:
+        self.setStyleSheet(f"color: {letters(self._colour)};")
+        font = self.font()
+        font.setPointSizeF(font.pointSizeF() * NOTE_SIZE)
+        self.setFont(font)
+        self._colour = ""
 
     def _hold_lines(self) -> None:
         self.setMinimumHeight(self.heightForWidth(self.width()) if self.text() else 0)
@@ -472,14 +488,10 @@ def bring_into_view(widget: Any) -> None:
 
 def note_label(name: str, colour: str, parent: Any) -> Any:
     """Return a small label that wraps, for notes below fields; it is hidden."""
-    note = NoteLabel(parent)
+    note = NoteLabel(colour, parent)
     note.setObjectName(name)
     note.setWordWrap(True)
     note.setTextFormat(QtCore.Qt.TextFormat.PlainText)
-    note.setStyleSheet(f"color: {letters(colour)};")
-    font = note.font()
-    font.setPointSizeF(font.pointSizeF() * NOTE_SIZE)
-    note.setFont(font)
     note.setTextInteractionFlags(QtCore.Qt.TextInteractionFlag.TextSelectableByMouse)
     note.hide()
     return note

@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from PySide import QtCore
+
 from CNCStepper.workbench.panels.fields import Field
 from CNCStepper.workbench.panels.job_lists import ObjectList, OperationList, ToolList
 from CNCStepper.workbench.panels.object_form import Editor
@@ -32,11 +34,19 @@ class ProgramJobPanel(Panel):
         self.editor.form.add_widget(OPERATIONS, self.operations)
         self.editor.form.add_widget(TOOLS, self.tools)
         self.editor.form.box(OPERATIONS).setVisible(bool(job.Operations))
+        self.tools.choose(next(iter(job.Tools), None))
         self.tools.list.currentRowChanged.connect(guarded(self.show_tool))
         for part in self.lists:
             part.changed.connect(guarded(self.remake))
         self.editor.applied.connect(guarded(self.operations.refresh))
-        self.tools.choose(next(iter(job.Tools), None))
+        self._show_tool_soon()
+
+    def _show_tool_soon(self) -> None:
+        """Show the marked tool's editor in an event of its own: the panel takes long enough by itself."""
+        timer = QtCore.QTimer(self.editor)  # it goes with the panel
+        timer.setSingleShot(True)
+        timer.timeout.connect(guarded(lambda: None if self._closed else self.show_tool()))
+        timer.start(0)
 
     def add_own_parts(self) -> None:
         """Add what only this kind of job has, above operations and tools."""

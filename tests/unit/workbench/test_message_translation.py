@@ -22,8 +22,8 @@ from CNCStepper.errors import JobError, Place, ProgramError, Text, joined
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.job.make import numbered
 from CNCStepper.state import Start
-from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.restart.restart_places import title_of
+from CNCStepper.workbench.services import messages
 from CNCStepper.workbench.services.message_translation import CATALOGUE, FORMER, VALUE, translated
 
 LIMIT = Text("at most {largest_tool}", largest_tool=3)
