@@ -14,8 +14,6 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any, TypeVar
 
-from PySide import QtCore
-
 from CNCStepper.job import request_digest
 from CNCStepper.job.deferred_fitting import Unfitted, only_looking
 from CNCStepper.machine.processes import MILLING
@@ -40,7 +38,13 @@ def create(document: Any, title: str, make: Callable[[], Any]) -> None:
     document is as it was, and the reason is shown. Object and panel come in an event each, for both take long
     together; the first is not that of the command either, at whose end FreeCAD commits what is open without a panel.
     """
-    QtCore.QTimer.singleShot(0, guarded(partial(_make, document, title, make)))
+    _soon(partial(_make, document, title, make))
+
+
+def _soon(act: Callable[[], Any]) -> None:
+    from PySide import QtCore  # the manual reads this module without it
+
+    QtCore.QTimer.singleShot(0, guarded(act))
 
 
 def _make(document: Any, title: str, make: Callable[[], Any]) -> None:
@@ -49,7 +53,7 @@ def _make(document: Any, title: str, make: Callable[[], Any]) -> None:
     freehand.leave()
     undo_steps.begin(document, title)
     made = _or_abort(document, make)
-    QtCore.QTimer.singleShot(0, guarded(lambda: _or_abort(document, partial(_open, made))))
+    _soon(lambda: _or_abort(document, partial(_open, made)))
 
 
 def _open(made: Any) -> None:
