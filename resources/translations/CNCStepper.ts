@@ -8371,6 +8371,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Packages to install</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Pairs of letters stand as near as the font says</source>
             <translation type="unfinished"></translation>
         </message>
@@ -9502,6 +9506,10 @@ the height</source>
         </message>
         <message>
             <source>Side along Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>Side {0} of the rectangle</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

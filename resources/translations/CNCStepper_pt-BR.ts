@@ -8371,6 +8371,10 @@
             <translation>PVC rígido</translation>
         </message>
         <message>
+            <source>Packages to install</source>
+            <translation>Pacotes a instalar</translation>
+        </message>
+        <message>
             <source>Pairs of letters stand as near as the font says</source>
             <translation>Pares de letras ficam tão próximos quanto a fonte diz</translation>
         </message>
@@ -9505,6 +9509,10 @@ altura</translation>
         <message>
             <source>Side along Y</source>
             <translation>Lado em Y</translation>
+        </message>
+        <message>
+            <source>Side {0} of the rectangle</source>
+            <translation>Lado {0} do retângulo</translation>
         </message>
         <message>
             <source>Sides</source>

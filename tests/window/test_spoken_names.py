@@ -24,9 +24,10 @@ WORD = re.compile(r"[^\W\d_]{2,}")  # "+10", "▶" and "X" are none
 
 
 def spoken(widget: Any) -> str:
-    """Return what is said of a widget; a tab widget has a name on each page."""
+    """Return what is said of a widget, which may be what its label says; a tab widget has a name on each page."""
     own = widget.text() if isinstance(widget, QtGui.QAbstractButton) else ""
-    return "pages" if isinstance(widget, QtGui.QTabWidget) else widget.accessibleName() or own
+    labels = [label.text() for label in widget.window().findChildren(QtGui.QLabel) if label.buddy() is widget]
+    return "pages" if isinstance(widget, QtGui.QTabWidget) else widget.accessibleName() or own or "".join(labels)
 
 
 def nameless() -> list[str]:

@@ -201,6 +201,7 @@ class Comparison(QtGui.QDialog):
         self.bar.setObjectName(f"{NAME}_share")
         self.bar.hide()
         self.figures.setObjectName(f"{NAME}_figures")
+        self.figures.setAccessibleName(tr("Figures"))
         self.figures.setHorizontalHeaderLabels(["", "", ""])
         self.figures.verticalHeader().hide()
         self.figures.setEditTriggers(QtGui.QAbstractItemView.EditTrigger.NoEditTriggers)

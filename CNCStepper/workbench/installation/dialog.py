@@ -176,11 +176,13 @@ class Installer(QtGui.QDialog):
         self.place.setText(_place_words(self.target))
         self.list = QtGui.QListWidget()
         self.list.setObjectName(f"{NAME}_list")
+        self.list.setAccessibleName(tr("Packages to install"))
         self.list.itemChanged.connect(guarded(self._show_state))
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, 0)  # pip does not say how much there is to come
         self.details = QtGui.QPlainTextEdit()
         self.details.setObjectName(f"{NAME}_details")
+        self.details.setAccessibleName(tr("Details"))
         self.details.setReadOnly(True)
         self.details.setMinimumHeight(DETAILS_PX)
         self.details.hide()

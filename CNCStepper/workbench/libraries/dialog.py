@@ -63,6 +63,7 @@ class Libraries(QtGui.QDialog):
     def _page(self, library: Library, name: str, title: str) -> Page:
         page = Page(library, f"{NAME}_{name}", self)
         self.pages[page] = title
+        page.table.setAccessibleName(title)
         self.tabs.addTab(page, title)
         return page
 

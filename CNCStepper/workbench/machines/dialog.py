@@ -51,6 +51,7 @@ class Machines(QtGui.QDialog):
         self.name = ""
         self.list = QtGui.QListWidget()
         self.list.setObjectName(f"{NAME}_list")
+        self.list.setAccessibleName(tr("Machines"))
         self.list.setFixedWidth(LIST_PX)
         self.list.currentItemChanged.connect(guarded(self._chosen))
         self.tabs = QtGui.QTabWidget()

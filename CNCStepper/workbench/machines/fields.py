@@ -17,7 +17,7 @@ from CNCStepper.workbench.panels.fields import ERROR_COLOUR, FRAME, note_label
 from CNCStepper.workbench.panels.number_input import Refused
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
-from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.services.translation import later, tr
 
 NAME = "CNCStepper_Machine"
 CONTROLLER = ("controller",)
@@ -149,6 +149,9 @@ class SetEditor(QtGui.QWidget, Editor):
         return " ".join([*(choice for choice, box in self.boxes.items() if box.isChecked()), *self._others])
 
 
+LISTS = {"input": later("Inputs"), "relay": later("Relays")}
+
+
 class ListEditor(QtGui.QWidget):
     """A list of tables, a line each: `entries` are changed in place, and `changed` is called."""
 
@@ -158,6 +161,7 @@ class ListEditor(QtGui.QWidget):
         self.entries: list[dict[str, str]] = []
         self.grid = QtGui.QTableWidget(0, len(table.columns))
         self.grid.setObjectName(f"{NAME}_{table.key}")
+        self.grid.setAccessibleName(tr(LISTS[table.key]))
         self.grid.setHorizontalHeaderLabels([label_with_unit(row) for row in table.columns])
         self.grid.horizontalHeader().setMinimumSectionSize(NARROWEST_COLUMN_PX)
         self.grid.verticalHeader().setVisible(True)

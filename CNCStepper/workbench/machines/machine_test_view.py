@@ -252,6 +252,8 @@ class MachineTest(QtGui.QWidget):
         form.addRow(tr("Side along X"), self.side_x)
         form.addRow(tr("Side along Y"), self.side_y)
         corners = [self._button(f"corner_{n}", text, partial(self._corner, n)) for n, text in _corners()]
+        for corner in corners:
+            corner.setAccessibleName(tr("Side {0} of the rectangle").format(corner.text()))
         self._in_plane += corners
         form.addRow(_row(*corners))
         form.addRow(tr("Lower right to upper left"), self.falling)

@@ -40,6 +40,7 @@ class PartRecords(QtGui.QDialog):
         self.height_mm, self.diameter_mm = (self._nominal(name) for name in ("height", "diameter"))
         self.model = RecordsModel(self)
         self.table = RecordsTable(f"{NAME}_table", self.model, self)
+        self.table.setAccessibleName(tr("Part records"))
         self.note = note_label(f"{NAME}_error", ERROR_COLOUR, self)
         self.summary = QtGui.QLabel(self)
         self.summary.setObjectName(f"{NAME}_summary")
