@@ -117,7 +117,7 @@
         </message>
         <message>
             <source>Along a line or arc</source>
-            <translation>Ao longo de uma linha ou arco</translation>
+            <translation>Seguir linha ou arco</translation>
         </message>
         <message>
             <source>Along which the sheets are stacked</source>
@@ -4268,7 +4268,7 @@
         </message>
         <message>
             <source>Add selection</source>
-            <translation>Incluir seleção</translation>
+            <translation>Incluir mais</translation>
         </message>
         <message>
             <source>Add the part in its present state to the document as a mesh</source>
@@ -4384,7 +4384,7 @@
         </message>
         <message>
             <source>Along a line or arc</source>
-            <translation>Ao longo de uma linha ou arco</translation>
+            <translation>Seguir linha ou arco</translation>
         </message>
         <message>
             <source>Along which the sheets are stacked</source>

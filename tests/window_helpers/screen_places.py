@@ -345,3 +345,29 @@ def narrower_than_their_text(dialog: Any) -> list[str]:
         for one in shown
         if one.width() < one.sizeHint().width() - 1
     ]
+
+
+def area_around(target: Any) -> Any:
+    """Return the scroll area in which a widget stands."""
+    widget = find(target)
+    while not isinstance(widget, QtGui.QScrollArea):
+        widget = widget.parentWidget()
+    return widget
+
+
+def cut_texts(window: Any, spare_px: int = 0) -> list[str]:
+    """Return what is too narrow, or too low for its lines, of the texts that a window or a panel's area shows.
+
+    spare_px: by which an area may be too narrow.
+    """
+    labels = [label for label in window.findChildren(QtGui.QLabel) if isValid(label) and label.isVisible()]
+    labels = [label for label in labels if label.wordWrap()]
+    low = [
+        f"{label.objectName()} {label.text()!r}: {label.height()} high < {label.heightForWidth(label.width())}"
+        for label in labels
+        if label.text() and label.height() < label.heightForWidth(label.width()) - 1
+    ]
+    inner = [*window.findChildren(QtGui.QScrollArea), *([window] if isinstance(window, QtGui.QScrollArea) else [])]
+    areas = [area for area in inner if area.isVisible() and area.horizontalScrollBar().maximum() > spare_px]
+    wide = [f"{area.objectName()} is {area.horizontalScrollBar().maximum()} too narrow" for area in areas]
+    return narrower_than_their_text(window) + low + wide

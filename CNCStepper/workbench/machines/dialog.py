@@ -33,7 +33,7 @@ from CNCStepper.workbench.services.standard_buttons import name_standard_buttons
 from CNCStepper.workbench.services.translation import tr
 
 NAME = "CNCStepper_Machines"
-SIZE = (1000, 720)
+SIZE = (1030, 660)
 LIST_PX = 190
 SOURCE = "table-a"
 

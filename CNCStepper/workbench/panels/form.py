@@ -13,7 +13,7 @@ from CNCStepper.workbench.panels.fields import GAP_PX, NAME, Field, Remedy, fiel
 from CNCStepper.workbench.panels.unit_values import text_of
 from CNCStepper.workbench.services.translation import tr
 
-MOST_BESIDE_LABEL = 2  # more lines to type into stand below their label: the task view is narrow
+MOST_BESIDE_LABEL = 1  # of the lines of a field: more of them are too wide there in a narrow dock of a dark theme
 LABEL_LETTERS = 14  # longer labels take a second line: Portuguese is longer, and the values need room
 MARGINS = (6, 5, 6, 5)
 

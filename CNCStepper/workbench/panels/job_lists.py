@@ -188,7 +188,7 @@ class ToolList(ObjectList):
         self.button("add", tr("Add tool"), tr("Add a tool to this job"), self.add)
         self.button("remove", tr("Remove tool"), tr("Delete the marked tool"), self.remove)
         if job.Proxy.TOOL == CUTTER:  # FreeCAD's library and tool tables hold no inserts
-            further = QtGui.QHBoxLayout()
+            further = QtGui.QVBoxLayout()  # side by side they are wider than FreeCAD's dock in its dark theme
             self.layout().addLayout(further)
             tip = tr("Add the tools of FreeCAD's library or of a tool table")
             further.addWidget(self.button("import", tr("Import…"), tip, self.import_))

@@ -17,6 +17,7 @@ from CNCStepper.workbench.services.standard_buttons import PanelButtons
 from CNCStepper.workbench.services.translation import tr
 
 LOOK_MS, LOOKS = 20, 100  # how often it is looked whether FreeCAD shows the panel, and how many times
+TITLE_LETTERS = 20  # of a title in a panel that is as wide as FreeCAD makes it on a small screen
 
 
 class _UndoObserver:
@@ -59,7 +60,7 @@ class Panel(PanelButtons):
         editor.destroyed.connect(self._undos.end)  # FreeCAD may close the panel without OK or Cancel
         self.editors = [editor]
         self.form = editor
-        editor.setWindowTitle(obj.Label)
+        editor.setWindowTitle(_title(editor, obj.Label))
         editor.setWindowIcon(QtGui.QIcon(_icon(obj)))
         editor.setObjectName(f"{NAME}_{proxy_type(obj)}")
 
@@ -143,6 +144,14 @@ class Panel(PanelButtons):
         if self._document() is not None:
             FreeCADGui.getDocument(self.document).resetEdit()
         FreeCADGui.Control.closeDialog()
+
+
+def _title(form: Any, label: str) -> str:
+    """Return an object's label as a title: FreeCAD makes a panel as wide as its title is."""
+    metrics = form.fontMetrics()
+    return str(
+        metrics.elidedText(label, QtCore.Qt.TextElideMode.ElideRight, TITLE_LETTERS * metrics.averageCharWidth())
+    )
 
 
 def _icon(obj: Any) -> str:

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""No text of a panel or dialog is cut, at 1280 × 720 with letters of 100 to 200 %.
+
+Letters grow in place, and with them window, docks and dialogs, as on a screen with that many more pixels. All pixels
+that the product itself counts stay as they are: a text that no longer fits in them is found so.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+import pytest
+from PySide import QtCore, QtGui
+from test_cycle_panels import unfold
+from test_lathe import every_operation
+from test_typing import draw
+
+from CNCStepper.workbench import api, first_run, panels
+from CNCStepper.workbench.assistant import open_assistant
+from CNCStepper.workbench.comparison import open_comparison
+from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.first_run.tour import begin_tour
+from CNCStepper.workbench.installation import open_installation
+from CNCStepper.workbench.letters import open_letters
+from CNCStepper.workbench.libraries import open_libraries
+from CNCStepper.workbench.machines import open_machines
+from CNCStepper.workbench.part_records import open_part_records
+from CNCStepper.workbench.preferences.job_preferences import JobPreferences
+from window_helpers import screen_places as places
+from window_helpers.hand import Hand
+from window_helpers.task_panels import PANEL
+
+SMALL_SCREEN = (1280, 690)  # pixels: 1280 × 720 with the window's frame
+FRAME_PX = 2  # of a theme that is put on while FreeCAD runs
+SCALES = (1.0, 1.25, 1.5, 2.0)
+STYLE_SHEETS = Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets"
+DARK = STYLE_SHEETS / "Dark-blue.qss"  # FreeCAD 1.1 has none of its kind that Qt reads as it is
+PLAIN_DARK = "QWidget { background-color: #232932; color: #e0e0e0; }"
+TABBED = {"CNCStepper_Machines", "CNCStepper_Library"}
+
+
+def drawn_objects(document: Any) -> list[Any]:
+    """Make what is drawn, placed and nested in a document."""
+    shape, text = api.add_shape(document, "flange"), api.add_text(document, "Sign")
+    document.recompute()
+    return [shape, text, api.add_nest(document, [shape])]
+
+
+def every_object() -> list[Any]:
+    """Make an object for each panel."""
+    milled = draw()
+    turned = every_operation()
+    tool, profile = turned.Tools[0], turned.Operations[1].OutList[1:2]
+    return [*milled.values(), *drawn_objects(milled["job"].Document), turned, tool, *turned.Operations, *profile]
+
+
+def every_panel(hand: Hand) -> Iterator[str]:
+    """Open the panel of each kind of object with all its groups, one after the other, and give its name."""
+    for obj in hand.main(every_object, limit_s=120):
+        hand.main(panels.edit, obj)
+        hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, "the panel")
+        hand.main(unfold)
+        hand.settle()
+        yield hand.main(proxy_type, obj)
+        hand.main(FreeCADGui.Control.closeDialog)
+        hand.settle()
+
+
+def preferences() -> Any:
+    page = JobPreferences()
+    page.loadSettings()
+    page.form.show()
+    FreeCAD.__cncstepper_page__ = page
+    return page.form
+
+
+WINDOWS: tuple[Callable[[], Any], ...] = (
+    first_run.open_card,
+    begin_tour,
+    open_machines,
+    open_libraries,
+    open_assistant,
+    open_comparison,
+    open_letters,
+    open_part_records,
+    open_installation,
+    preferences,
+)
+
+
+def every_dialog(hand: Hand) -> Iterator[tuple[str, Any]]:
+    """Open each dialog, page by page, and give its name and widget."""
+    for opened in WINDOWS:
+        window = hand.main(opened)
+        hand.wait(window.isVisible, 20, opened.__name__)
+        hand.settle()
+        for number in range(hand.main(pages_of, window)):
+            hand.main(show_page, window, number)
+            hand.settle()
+            yield f"{hand.main(window.objectName)} {number + 1}", window
+        hand.main(lambda window=window: (window.close(), window.deleteLater()))
+        hand.settle()
+
+
+def pages_of(window: Any) -> int:
+    steps = window.findChild(QtGui.QListWidget, "CNCStepper_Assistant_steps")
+    if steps is not None:
+        return int(steps.count())
+    return int(window.tabs.count()) if window.objectName() in TABBED else 1
+
+
+def show_page(window: Any, number: int) -> None:
+    steps = window.findChild(QtGui.QListWidget, "CNCStepper_Assistant_steps")
+    if steps is not None:
+        steps.setCurrentRow(number)
+    elif window.objectName() in TABBED:
+        window.tabs.setCurrentIndex(number)
+
+
+def left_dock() -> Any:
+    """Return the dock in which FreeCAD shows the tree and the panels."""
+    docks = FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget)
+    return next(dock for dock in docks if dock.isVisible() and dock.objectName() in ("Combo View", "Model", "Tasks"))
+
+
+def grown(font: Any, scale: float) -> Any:
+    found = QtGui.QFont(font)
+    found.setPointSizeF(font.pointSizeF() * scale)
+    return found
+
+
+# The longer texts in the wider theme; CNCSTEPPER_ALL_LOOKS adds the others, which take a minute more.
+LOOKS = [("pt-BR", "dark"), *([("English", ""), ("pt-BR", "")] if "CNCSTEPPER_ALL_LOOKS" in os.environ else [])]
+
+
+@pytest.fixture(params=LOOKS, ids="-".join)
+def looks(request: Any, hand: Hand) -> Iterator[None]:
+    """The window in a language and a theme; afterwards it is in English, in the theme of before."""
+    language, theme = request.param
+    application = QtGui.QApplication.instance()
+    before = hand.main(application.styleSheet)
+    hand.main(FreeCADGui.setLocale, language)
+    if theme:
+        hand.main(application.setStyleSheet, DARK.read_text("utf-8") if DARK.exists() else PLAIN_DARK)
+    yield
+    hand.main(FreeCADGui.setLocale, "English")
+    if theme:
+        hand.main(application.setStyleSheet, before)
+
+
+@pytest.fixture
+def sizes(hand: Hand) -> Iterator[Callable[[float], None]]:
+    """What lets letters, window and docks grow; afterwards the window fills the screen again."""
+    window, application = FreeCADGui.getMainWindow(), QtGui.QApplication.instance()
+    font = hand.main(lambda: QtGui.QFont(application.font()))
+    hand.main(lambda: (window.showNormal(), window.resize(*SMALL_SCREEN)))
+    hand.wait(lambda: window.width() <= SMALL_SCREEN[0], 10, "the small window")
+    dock = hand.main(left_dock)
+    width, height = hand.main(dock.width), hand.main(lambda: window.fontMetrics().height())
+
+    def grow(scale: float) -> None:
+        application.setFont(grown(font, scale))
+        window.resize(*(round(scale * side) for side in SMALL_SCREEN))
+        assert window.fontMetrics().height() >= round(0.9 * scale * height)
+        window.resizeDocks([dock], [round(scale * width)], QtCore.Qt.Orientation.Horizontal)
+
+    yield grow
+    hand.main(lambda: (grow(1.0), window.showMaximized()))
+    hand.wait(lambda: window.width() > SMALL_SCREEN[0], 10, "the large window")
+
+
+def cut_in_panel() -> list[str]:
+    """Return what the open panel cuts; as wide as FreeCAD's own OK and Cancel in its dark theme it may be."""
+    area = places.area_around(f"{PANEL}ok")
+    buttons = area.findChild(QtGui.QDialogButtonBox).parentWidget()
+    own_px = buttons.minimumSizeHint().width() + 2 * buttons.x() + FRAME_PX
+    return places.cut_texts(area, max(0, own_px - area.viewport().width()))
+
+
+def cut_at(hand: Hand, scale: float, cut: Callable[[], list[str]]) -> list[str]:
+    """Return what is cut when letters have grown, once FreeCAD has laid all out anew."""
+    hand.is_soon(lambda: not cut())
+    return [f"at {scale:.0%}: {one}" for one in hand.main(cut)]
+
+
+def test_no_panel_cuts_a_text(hand: Hand, looks: None, sizes: Callable[[float], None]) -> None:
+    found = []
+    for name in every_panel(hand):
+        for scale in SCALES:
+            hand.main(sizes, scale)
+            hand.settle()
+            found += [f"{name} {one}" for one in cut_at(hand, scale, cut_in_panel)]
+        hand.main(sizes, 1.0)
+    assert not found, "\n".join(found)
+
+
+def test_no_dialog_cuts_a_text(hand: Hand, looks: None, sizes: Callable[[float], None]) -> None:
+    found = []
+    for name, window in every_dialog(hand):
+        size = hand.main(window.size)
+        for scale in SCALES:
+            hand.main(sizes, scale)
+            hand.main(window.resize, size * scale)
+            hand.settle()
+            found += [f"{name} {one}" for one in cut_at(hand, scale, partial(places.cut_texts, window))]
+        hand.main(sizes, 1.0)
+        hand.main(window.resize, size)
+    assert not found, "\n".join(found)
