@@ -12,9 +12,11 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 import pytest
+from PySide import QtGui
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import proxy_type
+from CNCStepper.workbench.services.translation import tr
 from window_helpers.hand import PICTURES, Hand
 from window_helpers.task_panels import PANEL, accept
 
@@ -38,13 +40,14 @@ def undo_count() -> int:
 
 
 def state(hand: Hand, words: str, seconds: float = 60.0) -> None:
-    hand.wait(lambda: hand.find(f"{DOCK}State").text() == words, seconds, f"the state {words}")
+    hand.wait(lambda: hand.find(f"{DOCK}State").text() == tr(words), seconds, f"the state {words}")
 
 
 def step(hand: Hand, title: str, seconds: float = 120.0) -> None:
     """Wait for a step of the dock; where it does not come, what was to be sent is kept beside the pictures."""
+    words = hand.main(tr, title)
     try:
-        hand.wait(lambda: hand.exists(f"{DOCK}FlowTitle") and title in hand.text(f"{DOCK}FlowTitle"), seconds, title)
+        hand.wait(lambda: hand.exists(f"{DOCK}FlowTitle") and words in hand.text(f"{DOCK}FlowTitle"), seconds, words)
     except AssertionError as error:
         hand.main(keep_what_is_sent)
         raise AssertionError(f"{error}; the dock says: {hand.text(f'{DOCK}FlowTitle')}") from None
@@ -60,7 +63,7 @@ def keep_what_is_sent() -> None:
     save_job(proven_with(job), PICTURES / "road-failed.json")
 
 
-@pytest.mark.window("plain", "scaled")
+@pytest.mark.window("plain", "scaled", "portuguese")
 def test_from_an_empty_window_to_a_cut_part(hand: Hand) -> None:
     new_job(hand)
     draw_a_line(hand)
@@ -99,7 +102,8 @@ def draw_a_line(hand: Hand) -> None:
     hand.shot("road-2-drawing")
     hand.release()
     hand.key("Escape")
-    assert len(hand.main(ours, "Freehand")) == 1
+    (line,) = hand.main(ours, "Freehand")
+    assert hand.main(lambda: line.Label == tr("Freehand"))
 
 
 def cut_a_pocket(hand: Hand) -> None:
@@ -149,8 +153,14 @@ def simulate(hand: Hand) -> None:
     hand.wait(lambda: hand.find(f"{PLAYER}time").value() > 2000, 60, "the tool to run")
     hand.click(f"{PLAYER}play")
     hand.shot("road-4-simulation")
-    hand.button("Close")
+    hand.click(hand.main(close_button))
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 10)
+
+
+def close_button() -> Any:
+    """Return the button of the task panel that Qt names in FreeCAD's language."""
+    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+    return next(box.button(box.Close) for box in boxes if box.isVisible() and box.button(box.Close))
 
 
 def send(hand: Hand) -> None:
@@ -158,8 +168,8 @@ def send(hand: Hand) -> None:
     hand.tree(hand.main(lambda: job.Label))
     hand.command("CNCStepper_Send")
     step(hand, "Connect")
-    assert hand.text(f"{DOCK}Port") == "Virtual grbl (no machine)"
-    hand.choose(f"{DOCK}Speed", "10× speed")
+    assert hand.text(f"{DOCK}Port") == hand.main(tr, "Virtual grbl (no machine)")
+    hand.choose(f"{DOCK}Speed", hand.main(tr, "{0}× speed").format(10))
     hand.click(f"{DOCK}Start")
     step(hand, "Work zero")
     hand.shot("road-5-zero")

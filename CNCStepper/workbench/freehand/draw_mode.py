@@ -84,6 +84,7 @@ class Drawing(Mode):
 
         with undo_step(self.document, tr("Draw a freehand line")):
             line = api.add_freehand(self.document, points, tolerance_mm=tolerance_mm, closed=closed)
+            line.Label = tr("Freehand")
             line.Placement = self._sight.placement
             self.document.recompute([line])
         FreeCADGui.Selection.clearSelection()
