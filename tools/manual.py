@@ -63,6 +63,7 @@ TITLES = {
         "code": "Refusals by their codes",
         "do": "What to do",
         "said": "The message itself has the reason and what to do.",
+        "jobs": "The job files",
     },
     "pt_BR": {
         "guides": "Guias",
@@ -74,6 +75,7 @@ TITLES = {
         "code": "Recusas pelos seus códigos",
         "do": "O que fazer",
         "said": "A própria mensagem traz o motivo e o que fazer.",
+        "jobs": "Os arquivos de trabalho",
     },
 }
 
@@ -121,7 +123,7 @@ def pages(language: str, refusals: dict[str, refusal_codes.Refusal]) -> dict[str
     found["manual/refusals.md"] = written_page(DOCS / "manual" / "refusals.md", language) + refusals_part(
         refusals, said
     )
-    found["manual/worked-parts.md"] = written_page(DOCS / "manual" / "worked-parts.md", language) + worked_parts()
+    found["manual/worked-parts.md"] = written_page(DOCS / "manual" / "worked-parts.md", language) + job_files(language)
     index = (
         written_page(DOCS / "manual" / "index.md", language)
         .replace("](../", "](")
@@ -133,7 +135,7 @@ def pages(language: str, refusals: dict[str, refusal_codes.Refusal]) -> dict[str
 
 def written_page(english: Path, language: str) -> str:
     """Return a page that a person has written; in English with a note where the language has none."""
-    own = english.with_name(english.name.removesuffix(".md") + SUFFIXES[language])
+    own = english.with_name(localized_name(english.name, language))
     text = (own if own.exists() else english).read_text("utf-8")
     if not own.exists():
         heading, _, rest = text.partition("\n")
@@ -204,15 +206,13 @@ def sentence(template: str, said: Catalogue) -> str:
     return f"{text[:1].upper()}{text[1:]}." if text else ""
 
 
-def worked_parts() -> str:
-    """Return the job files of the worked parts, each with its heading."""
-    lines = [""]
+def job_files(language: str) -> str:
+    """Return a section with the job files of the worked parts, each with its heading."""
+    lines = ["", f"## {TITLES[language]['jobs']}", ""]
     for name in PARTS:
         path = ROOT / "examples" / "jobs" / f"{name}.toml"
         lines += [
-            f"## {name}",
-            "",
-            f"`{path.relative_to(ROOT).as_posix()}`",
+            f"### {path.name}",
             "",
             "```toml",
             path.read_text("utf-8").rstrip(),
@@ -300,9 +300,14 @@ def write_sources(language: str, found: dict[str, str]) -> Path:
 
 def localized(picture: str, language: str) -> str:
     """Return the file of a picture in a language, where it has one of its own: NAME.pt-BR.png."""
-    path = Path(picture)
-    own = path.with_name(path.stem + SUFFIXES[language].removesuffix(".md") + path.suffix)
+    own = Path(picture).with_name(localized_name(Path(picture).name, language))
     return own.as_posix() if (DOCS / own).exists() else picture
+
+
+def localized_name(name: str, language: str) -> str:
+    """Return the name of a file that is in a language: NAME.pt-BR.png of NAME.png."""
+    stem, dot, kind = name.rpartition(".")
+    return stem + SUFFIXES[language].removesuffix(".md") + dot + kind
 
 
 def build(language: str, source: Path) -> None:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Makes the pictures of the window in docs/pictures anew: `make pictures`, then look at them.
 
-They are what tests/window/test_road.py sees on its way, in a plain window and in one of twice the pixels (-2x).
+They are what tests/window/test_road.py sees on its way: in a plain window, in one of twice the pixels (-2x), and in a
+Portuguese one, whose pictures the pages in Portuguese show (.pt-BR).
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ TAKEN = ROOT / "build" / "window"
 KEPT = ROOT / "docs" / "pictures"
 WIDEST = 1600  # pixels
 COLOURS = 256  # of a palette: a window has few, and the file is a third as large
-SUFFIX = {"plain": "", "scaled": "-2x"}
+NEARER = 1  # colours of the palette move to the means of what they stand for: icons keep theirs
+SUFFIX = {"plain": "", "scaled": "-2x", "portuguese": ".pt-BR"}
 
 
 def keep(kind: str) -> None:
@@ -31,11 +33,11 @@ def keep(kind: str) -> None:
             kept(picture).save(KEPT / f"{taken.stem}{SUFFIX[kind]}.png", optimize=True)
 
 
-def kept(picture: Image.Image) -> Image.Image:
-    """Return a picture as it is kept: at most WIDEST pixels wide, in a palette of its own."""
+def kept(picture: Image.Image, widest: int = WIDEST, colours: int = COLOURS) -> Image.Image:
+    """Return a picture as it is kept: at most that many pixels wide, in a palette of its own."""
     small = picture.convert("RGB")
-    small.thumbnail((WIDEST, WIDEST), Image.Resampling.LANCZOS)
-    return small.quantize(COLOURS, Image.Quantize.MEDIANCUT)
+    small.thumbnail((widest, widest), Image.Resampling.LANCZOS)
+    return small.quantize(colours, Image.Quantize.MEDIANCUT, kmeans=NEARER)
 
 
 if __name__ == "__main__":

@@ -126,6 +126,19 @@ def test_links_and_pictures_are_whole(pages: dict, language: str) -> None:
     assert [name for name in pictures if not (ROOT / "docs" / name).is_file()] == []
 
 
+@pytest.mark.slow
+def test_pages_in_portuguese_show_portuguese_windows_and_parts(pages: dict) -> None:
+    """Every picture with words of its own: those of the window and those of the worked parts."""
+    with_words = re.compile(r"pictures/(road-[\w-]+|parts/[\w-]+)\.png")
+    shown = {path: with_words.findall(text) for path, text in pages["en"].items()}
+    assert sum(map(len, shown.values())) > 6
+    for path, names in shown.items():
+        there = [f"pictures/{name}.pt-BR.png" for name in names]
+        assert [name for name in there if not (ROOT / "docs" / name).is_file()] == []
+        localized = {manual.localized(picture, "pt_BR") for picture in manual.pictures({path: pages["pt_BR"][path]})}
+        assert set(there) <= localized, path
+
+
 def test_a_link_out_of_the_manual_becomes_words_and_code_stays() -> None:
     pages = {"a.md": "# One\n", "b/c.md": "# Two `x`\n"}
     text = "[one](../a.md#one) [none](../a.md#none) [gone](../x.py) [web](https://x.y)\n```\n[code](nowhere)\n```\n"
