@@ -20,7 +20,7 @@ help:
 	@echo "make bench-guard   compare these ratios with those recorded last; name what fell by more than 10 %"
 	@echo "make lint    style and types only"
 	@echo "make translations   collect the texts that a person sees, and compile their Portuguese"
-	@echo "make pictures   take the pictures in docs/pictures anew: of every cycle, and of the window"
+	@echo "make pictures   take the pictures in docs/pictures anew: of every cycle, of the worked parts, and of the window"
 	@echo "make manual   build the manual in English and Portuguese, HTML and PDF: build/manual/en, build/manual/pt_BR"
 	@echo "make installer   build the zip of packages for 'Install packages…' on a FreeCAD without internet (PYTHONS=\"3.11 3.13\" takes others)"
 	@echo "make setup   only what the others need: system packages and .venv"
@@ -105,6 +105,7 @@ translations:
 
 pictures: setup
 	@.venv/bin/python tools/cycle_pictures.py
+	@.venv/bin/python tools/worked_parts.py
 	@.venv/bin/python tools/pictures.py
 
 manual:
