@@ -311,15 +311,21 @@ def localized_name(name: str, language: str) -> str:
 
 
 def build(language: str, source: Path) -> None:
-    """Build HTML and PDF of a language; warnings of Sphinx are errors."""
+    """Build HTML and PDF of a language."""
     target, single = BUILD / language, BUILD / "single" / language
-    variables = {"CNCSTEPPER_MANUAL_LANGUAGE": language, "CNCSTEPPER_MANUAL_VERSION": __version__}
-    binaries = ENVIRONMENT / "bin"
     for builder, folder in (("html", target), ("singlehtml", single)):
-        shutil.rmtree(folder, ignore_errors=True)
-        command = [binaries / "python", "-m", "sphinx", "-q", "-W", "--keep-going", "-b", builder, source, folder]
-        subprocess.run([*command, "-d", BUILD / "doctrees" / language], check=True, env=os.environ | variables)
-    subprocess.run([binaries / "weasyprint", "-q", single / "index.html", target / "manual.pdf"], check=True)
+        run_sphinx(language, source, builder, folder)
+    weasyprint = ENVIRONMENT / "bin" / "weasyprint"
+    subprocess.run([weasyprint, "-q", single / "index.html", target / "manual.pdf"], check=True)
+
+
+def run_sphinx(language: str, source: Path, builder: str, folder: Path) -> None:
+    """Build the pages of a language into a folder that is made anew; warnings of Sphinx are errors."""
+    shutil.rmtree(folder, ignore_errors=True)
+    variables = {"CNCSTEPPER_MANUAL_LANGUAGE": language, "CNCSTEPPER_MANUAL_VERSION": __version__}
+    command = [ENVIRONMENT / "bin" / "python", "-m", "sphinx", "-q", "-W", "--keep-going", "-b", builder]
+    doctrees = BUILD / "doctrees" / language
+    subprocess.run([*command, source, folder, "-d", doctrees], check=True, env=os.environ | variables)
 
 
 def main() -> None:

@@ -6,9 +6,10 @@
 #   tools/setup.sh translations   .venv, and Qt's lrelease, which compiles the catalogues of translations
 #   tools/setup.sh all      .venv, and the programs of the system: FreeCAD, LinuxCNC's rs274, locale sources, and for the
 #                           tests in FreeCAD's window a screen that nobody sees (Xvfb), a window manager, software OpenGL
-#                           and CadQuery in an environment of its own, which all checkouts share in the user's cache folder
+#                           and CadQuery in an environment of its own, which all checkouts share in the user's cache folder;
+#                           Sphinx for the manual's HTML
 #   tools/setup.sh matrix   all that, and debootstrap for the other FreeCADs
-#   tools/setup.sh manual   .venv, and Sphinx and WeasyPrint in an environment of their own, .cache/manual-env
+#   tools/setup.sh manual   .venv, Sphinx and WeasyPrint in an environment of their own, .cache/manual-env, and for the PDF Pango
 #
 # On Debian and its family as root, missing system packages are installed; otherwise they are named.
 # .venv uses the system's Python, which is FreeCAD's own on Linux: its compiled packages load in FreeCAD too.
@@ -168,6 +169,9 @@ lock
 system_packages "${1:-all}"
 make_venv "$(find_python)"
 case "${1:-all}" in
-all | matrix) make_cadquery "$(find_python)" ;;
+all | matrix)
+    make_cadquery "$(find_python)"
+    make_manual "$(find_python)"
+    ;;
 manual) make_manual "$(find_python)" ;;
 esac
