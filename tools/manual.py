@@ -5,8 +5,9 @@
     the code: fields, commands, keys, options, refusals ────┴─► source/LANGUAGE ── Sphinx ──► build/manual/LANGUAGE
 
 A page in Portuguese lies beside the English one as NAME.pt-BR.md; where there is none, the English page stands there
-with a note. Pages that follow from the code are written by the same functions as FreeCAD's help window and
-docs/reference. Both languages have the same files; `manual.pdf` lies beside `index.html`.
+with a note. Of the reference, what tools/reference.py writes is written in the language. Pages that follow from the
+code are written by the same functions as FreeCAD's help window and docs/reference. Both languages have the same files;
+`manual.pdf` lies beside `index.html`.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT), str(ROOT / "tools")]
 
+import reference  # noqa: E402
 import refusal_codes  # noqa: E402
 import translations  # noqa: E402
 
@@ -31,9 +33,11 @@ from CNCStepper.workbench.help.machine_page import machine_page  # noqa: E402
 from CNCStepper.workbench.help.object_tables import properties_of_type  # noqa: E402
 from CNCStepper.workbench.help.topics import GUIDE_PAGES, OBJECT_TOPICS, SUFFIXES, slug  # noqa: E402
 
-DOCS, BUILD, ENVIRONMENT = ROOT / "docs", ROOT / "build" / "manual", ROOT / ".cache" / "manual-env"
+DOCS, REFERENCE = ROOT / "docs", ROOT / "docs" / "reference"
+BUILD, ENVIRONMENT = ROOT / "build" / "manual", ROOT / ".cache" / "manual-env"
 COMMANDS = ROOT / "CNCStepper" / "workbench" / "commands"
 CATALOGUES = {"en": "", "pt_BR": "_pt-BR"}
+WORDS = {"en": reference.ENGLISH, "pt_BR": reference.PORTUGUESE}  # of pages of the reference
 REFERENCES = ("cli", "job-file", "shapes", "gcode", "dialects", "files", "ramps", "signals", "python")
 PARTS = (
     "sign",
@@ -46,6 +50,27 @@ PARTS = (
     "lathe-shaft",
     "lathe-thread",
     "thesis-a",
+)
+TURNING_HEAD = """## Operações de um torno
+
+`turn_rough`, `turn_bore` e `turn_finish` têm o nome de um `profile`, `turn_thread` pode ter. O [guia do
+torneamento](../user-guide/turning.md) tem as outras tabelas de um trabalho de torno. Toda operação tem uma
+`tool` e pode ter
+"""
+TABLE_WORDS = (  # what tools/reference.py writes between the texts of the code, and its Portuguese
+    (r"^\| key \| value \| default \| \|$", "| chave | valor | padrão | |"),
+    (r"^Shapes: `", "Formas: `"),
+    (r"Moves what is drawn", "Move o que é desenhado"),
+    (r"How the tool comes or leaves", "Como a ferramenta chega ou sai"),
+    (r"Whether each line must end where it begins", "Se cada linha precisa terminar onde começa"),
+    (r"How many holes along X; How many holes along Y", "Quantos furos ao longo de X; quantos ao longo de Y"),
+    (re.escape(reference.TURNING_HEAD), TURNING_HEAD),
+    (r"^The other keys are those of ", "As outras chaves são as de "),
+    (r"(\| [-\d.e]+) to ([\d.]+(?: [\w/]+)?)", r"\1 a \2"),
+    (r", or 0 \|", ", ou 0 |"),
+    (r"\| a text \|", "| um texto |"),
+    (r" \(with (`[^)]*`)\) \|$", r" (com \1) |"),
+    (r"(\(com `[^)]*`) or (`)", r"\1 ou \2"),
 )
 LINK = re.compile(r"(?<!!)\[([^\]\n]+(?:\n[^\]\n]+)?)\]\(([^)\s]+)\)")
 PICTURE = re.compile(r"!\[[^\]]*\]\(([^)\s]+)\)")
@@ -111,8 +136,7 @@ def pages(language: str, refusals: dict[str, refusal_codes.Refusal]) -> dict[str
     }
     found["glossary.md"] = written_page(DOCS / "glossary.md", language)
     for name in REFERENCES:
-        text = (DOCS / "reference" / f"{name}.md").read_text("utf-8")
-        found[f"reference/{name}.md"] = translated_tables(text, said.tr)
+        found[f"reference/{name}.md"] = reference_page(name, said)
     for topic in OBJECT_TOPICS:
         picture = f"../pictures/cycles/{topic.picture}.png" if topic.picture else ""
         entries, guide = properties_of_type(topic.type), f"../user-guide/{topic.guide}"
@@ -141,6 +165,29 @@ def written_page(english: Path, language: str) -> str:
         heading, _, rest = text.partition("\n")
         text = f"{heading}\n\n{NOT_TRANSLATED}\n{rest}"
     return text.replace(SUFFIXES["pt_BR"], ".md")
+
+
+def reference_page(name: str, said: Catalogue) -> str:
+    """Return a page of the reference; what follows from the code is in the language of the page."""
+    words = WORDS[said.language]
+    if name == "cli":
+        return reference.cli_page(words)
+    page = (
+        reference.shapes_page(words, said.tr)
+        if name == "shapes"
+        else written_page(REFERENCE / f"{name}.md", said.language)
+    )
+    if said.language == "en":
+        return page
+    tables = translated_tables(reference.tables(), said.tr)
+    return with_table_words(page.replace(reference.BEGIN, f"{reference.BEGIN}\n{tables}\n"))
+
+
+def with_table_words(text: str) -> str:
+    """Return a page whose tables, as tools/reference.py writes them, have Portuguese words for ranges and headings."""
+    for words, said in TABLE_WORDS:
+        text = re.sub(words, said, text, flags=re.MULTILINE)
+    return text
 
 
 def translated_tables(text: str, tr: Callable[[str], str]) -> str:

@@ -10,10 +10,13 @@ page is behind the code.
 from __future__ import annotations
 
 import inspect
+import os
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, get_args, get_origin
+from unittest.mock import patch
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.append(str(ROOT))
@@ -21,6 +24,7 @@ sys.path.append(str(ROOT))
 import click  # noqa: E402
 from pydantic import BaseModel  # noqa: E402
 
+from CNCStepper.cli.common.language import OVERRIDE, look_up  # noqa: E402
 from CNCStepper.cli.main import FAMILIES, OTHER_NAMES, group  # noqa: E402
 from CNCStepper.cycles.catalogue import CYCLES, cycle_class  # noqa: E402
 from CNCStepper.cycles.holes.hole_parameters import PATTERNS  # noqa: E402
@@ -36,13 +40,28 @@ from CNCStepper.job.shapes import SHAPE_KEYS  # noqa: E402
 PAGE = ROOT / "docs" / "reference" / "job-file.md"
 BEGIN, END = "<!-- written by tools/reference.py -->\n", "<!-- end of what tools/reference.py writes -->\n"
 CLI_PAGE = PAGE.with_name("cli.md")
-CLI_HEAD = """# Command line
+SHAPES_PAGE, SHAPE_PICTURES = PAGE.with_name("shapes.md"), ROOT / "docs" / "pictures" / "shapes"
+PICTURE_PIXELS, PICTURE_MARGIN = 160.0, 0.08
+HEAD = ["| key | value | default | |", "|---|---|---|---|"]
+MODEL = "pocket"  # whose keys others have too, beside their own
+TURNING_HEAD = """## Operations of a lathe
+
+`turn_rough`, `turn_bore` and `turn_finish` have the name of a `profile`, `turn_thread` may. [The guide to
+turning](../user-guide/turning.md) has the other tables of a lathe's job. Every operation has a `tool` and may have
+"""
+
+
+@dataclass(frozen=True)
+class Words:
+    """The words of the pages that no code declares, in a language of the command line."""
+
+    language: str = "en"
+    cli_head: str = """# Command line
 
 Every command and its options, as `cncstepper COMMAND --help` prints them. `python tools/reference.py` writes this page
 from the code. [The user guide](../user-guide/command-line.md) shows the commands at work.
 """
-SHAPES_PAGE, SHAPE_PICTURES = PAGE.with_name("shapes.md"), ROOT / "docs" / "pictures" / "shapes"
-SHAPES_HEAD = """# Library of shapes
+    shapes_head: str = """# Library of shapes
 
 A job file draws a shape of the library by its kind and its dimensions. Dimensions that are left out have the values in
 the table. `python tools/reference.py` writes this page and its pictures from the code.
@@ -57,14 +76,54 @@ library = { kind = "flange", outer_diameter_mm = 90, holes = 8, offset_mm = [60,
 `part = "holes"` takes some of its curves: a contour takes all, a drill the holes. Dimensions that do not go together
 are refused.
 """
-PICTURE_PIXELS, PICTURE_MARGIN = 160.0, 0.08
-HEAD = ["| key | value | default | |", "|---|---|---|---|"]
-MODEL = "pocket"  # whose keys others have too, beside their own
-TURNING_HEAD = """## Operations of a lathe
+    option_table: str = "| option | value | |"
+    key_table: str = "| key | value | default | |"
+    other_name: str = "Another name of [`{0}`](#cncstepper-{0})."
+    repeats: str = "may be given more than once"
+    required: str = "required"
+    default: str = "default: {0}"
+    integer: str = "integer"
+    number: str = "number"
+    above: str = "above"
+    least: str = "from"
+    most: str = "to"
 
-`turn_rough`, `turn_bore` and `turn_finish` have the name of a `profile`, `turn_thread` may. [The guide to
-turning](../user-guide/turning.md) has the other tables of a lathe's job. Every operation has a `tool` and may have
-"""
+
+ENGLISH = Words()
+PORTUGUESE = Words(
+    language="pt",
+    cli_head="""# Linha de comando
+
+Todos os comandos e as suas opções, como `cncstepper COMANDO --help` os imprime.
+[O guia](../user-guide/command-line.md) mostra os comandos em uso.
+""",
+    shapes_head="""# Biblioteca de formas
+
+Um arquivo de trabalho desenha uma forma da biblioteca pelo tipo e pelas dimensões. Dimensões que faltam têm os
+valores da tabela.
+
+```
+[[shape]]
+name = "flange"
+library = { kind = "flange", outer_diameter_mm = 90, holes = 8, offset_mm = [60, 60], rotation_deg = 22.5 }
+```
+
+`offset_mm` move o zero da forma, a cruz na figura, depois que `rotation_deg` a girou. `part = "outline"` ou
+`part = "holes"` toma algumas das curvas: um contorno toma todas, uma furação os furos. Dimensões que não combinam
+são recusadas.
+""",
+    option_table="| opção | valor | |",
+    key_table="| chave | valor | padrão | |",
+    other_name="Outro nome de [`{0}`](#cncstepper-{0}).",
+    repeats="pode ser dada mais de uma vez",
+    required="obrigatória",
+    default="padrão: {0}",
+    integer="inteiro",
+    number="número",
+    above="acima de",
+    least="de",
+    most="a",
+)
 
 
 def tables() -> str:
@@ -154,23 +213,28 @@ def page(text: str) -> str:
     return f"{above}{BEGIN}\n{tables()}\n{END}{rest.partition(END)[2]}"
 
 
-def cli_page() -> str:
+def cli_page(words: Words = ENGLISH) -> str:
     """Return the reference of the command line in Markdown, a section a family of commands."""
+    with patch.dict(os.environ, {OVERRIDE: words.language}):
+        return "\n".join(cli_parts(words))
+
+
+def cli_parts(words: Words) -> Iterator[str]:
+    """Yield the parts of the reference, in the language in which this process prints help."""
     context = click.Context(group, info_name="cncstepper")
-    parts = [CLI_HEAD]
+    yield words.cli_head
     for title, verbs in FAMILIES.values():
-        parts.append(f"## {title}\n")
+        yield f"## {look_up(title)}\n"
         for verb in verbs:
             if other := OTHER_NAMES.get(verb):
-                parts.append(f"### `cncstepper {verb}`\n\nAnother name of [`{other}`](#cncstepper-{other}).\n")
+                yield f"### `cncstepper {verb}`\n\n{words.other_name.format(other)}\n"
                 continue
             command = group.get_command(context, verb)
             assert command is not None
-            parts += command_parts(command, click.Context(command, info_name=verb, parent=context))
-    return "\n".join(parts)
+            yield from command_parts(command, click.Context(command, info_name=verb, parent=context), words)
 
 
-def command_parts(command: click.Command, context: click.Context) -> Iterator[str]:
+def command_parts(command: click.Command, context: click.Context, words: Words) -> Iterator[str]:
     """Yield the parts of a command: usage, help text and table of options; then those of its sub-commands."""
     level = "#" * (2 + context.command_path.count(" "))
     yield f"{level} `{context.command_path}`\n"
@@ -180,12 +244,13 @@ def command_parts(command: click.Command, context: click.Context) -> Iterator[st
     yield from map(paragraph, inspect.cleandoc(command.help or "").split("\n\n"))
     options = [param for param in command.params if isinstance(param, click.Option) and not param.hidden]
     if options:
-        yield "\n".join(["| option | value | |", "|---|---|---|", *map(option_row, options), ""])
+        rows = (option_row(option, words) for option in options)
+        yield "\n".join([words.option_table, "|---|---|---|", *rows, ""])
     if isinstance(command, click.Group):
         for name in command.list_commands(context):
             below = command.get_command(context, name)
             assert below is not None
-            yield from command_parts(below, click.Context(below, info_name=name, parent=context))
+            yield from command_parts(below, click.Context(below, info_name=name, parent=context), words)
 
 
 def argument(param: click.Argument) -> str:
@@ -202,18 +267,18 @@ def paragraph(text: str) -> str:
     return f"{escaped(text)}\n"
 
 
-def option_row(option: click.Option) -> str:
+def option_row(option: click.Option, words: Words) -> str:
     """Return the row of an option: its names, the value that it takes, its help and its default."""
     names = ", ".join(f"`{name}`" for name in [*option.opts, *option.secondary_opts])
-    repeats = "may be given more than once"
-    more = ["required"] * option.required + [repeats] * (option.multiple and repeats not in (option.help or ""))
+    says_so = words.repeats in (option.help or "")
+    more = [words.required] * option.required + [words.repeats] * (option.multiple and not says_so)
     if option.show_default and option.default not in (None, False):
-        more.append(f"default: {option.default}")
+        more.append(words.default.format(option.default))
     notes = f" [{'; '.join(more)}]" if more else ""
-    return f"| {names} | {option_value(option)} | {escaped(option.help or '')}{escaped(notes)} |"
+    return f"| {names} | {option_value(option, words)} | {escaped(option.help or '')}{escaped(notes)} |"
 
 
-def option_value(option: click.Option) -> str:
+def option_value(option: click.Option, words: Words) -> str:
     """Return what an option takes, "" for one that is given without a value."""
     if option.is_flag or option.count:
         return ""
@@ -221,29 +286,30 @@ def option_value(option: click.Option) -> str:
     if isinstance(kind, click.Choice):
         return ", ".join(f"`{choice}`" for choice in kind.choices)
     if isinstance(kind, click.IntRange | click.FloatRange):
-        number = "integer" if isinstance(kind, click.IntRange) else "number"
-        least = "" if kind.min is None else f" {'above' if kind.min_open else 'from'} {kind.min:g}"
-        most = "" if kind.max is None else f" to {kind.max:g}"
+        number = words.integer if isinstance(kind, click.IntRange) else words.number
+        least = "" if kind.min is None else f" {words.above if kind.min_open else words.least} {kind.min:g}"
+        most = "" if kind.max is None else f" {words.most} {kind.max:g}"
         return f"{number}{least}{most}"
     return escaped(option.metavar or kind.name.upper())
 
 
-def shapes_page() -> str:
-    """Return the reference of the library in Markdown, a section a family of shapes."""
-    parts = [SHAPES_HEAD]
+def shapes_page(words: Words = ENGLISH, tr: Callable[[str], str] = str) -> str:
+    """Return the reference of the library in Markdown, a section a family; tr: translates what the shapes declare."""
+    parts = [words.shapes_head]
     for title in SHAPE_FAMILIES:
-        parts.append(f"## {title}\n")
-        parts += [shape_part(shape) for shape in shapes_of(title)]
+        parts.append(f"## {tr(title)}\n")
+        parts += [shape_part(shape, words, tr) for shape in shapes_of(title)]
     return "\n".join(parts)
 
 
-def shape_part(shape: LibraryShape) -> str:
+def shape_part(shape: LibraryShape, words: Words, tr: Callable[[str], str]) -> str:
     """Return heading, picture and table of a shape."""
     rows = [
-        f"| `{key}` | {one.bounds.words} | `{one.usual:g}` | {one.title} |" for key, one in shape.dimensions.items()
+        f"| `{key}` | {one.bounds.words} | `{one.usual:g}` | {tr(one.title)} |" for key, one in shape.dimensions.items()
     ]
-    picture = f"![{shape.title}](../pictures/shapes/{shape.kind}.svg)"
-    return "\n".join([f"### `{shape.kind}`", "", shape.about, "", picture, "", *HEAD, *rows, ""])
+    picture = f"![{tr(shape.title)}](../pictures/shapes/{shape.kind}.svg)"
+    head = [words.key_table, HEAD[1]]
+    return "\n".join([f"### `{shape.kind}`", "", tr(shape.about), "", picture, "", *head, *rows, ""])
 
 
 def shape_picture(shape: LibraryShape) -> str:

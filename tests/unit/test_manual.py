@@ -139,6 +139,22 @@ def test_pages_in_portuguese_show_portuguese_windows_and_parts(pages: dict) -> N
         assert set(there) <= localized, path
 
 
+@pytest.mark.slow
+def test_the_reference_is_portuguese_and_has_the_same_parts(pages: dict) -> None:
+    """Headings, rows of tables and blocks of code are as many, so that neither language lacks one."""
+    for name in manual.REFERENCES:
+        english, portuguese = (pages[language][f"reference/{name}.md"] for language in ("en", "pt_BR"))
+        assert manual.NOT_TRANSLATED not in portuguese, name
+        for part in (r"^#+ ", r"^\s*\|", r"^```", r"^\s*(?:-|\d+\.) "):
+            counts = [len(re.findall(part, text, re.MULTILINE)) for text in (english, portuguese)]
+            assert counts[0] == counts[1], (name, part)
+        sentences = [line for line in english.split("\n") if re.match(r"[A-Z][a-z]+ \w+ ", line)]
+        same = set(sentences) & set(portuguese.split("\n"))
+        assert same == set(), name
+    assert "[padrão: 0.5]" in pages["pt_BR"]["reference/cli.md"]
+    assert "0.001 a 10000 mm, ou 0" in pages["pt_BR"]["reference/job-file.md"]
+
+
 def test_a_link_out_of_the_manual_becomes_words_and_code_stays() -> None:
     pages = {"a.md": "# One\n", "b/c.md": "# Two `x`\n"}
     text = "[one](../a.md#one) [none](../a.md#none) [gone](../x.py) [web](https://x.y)\n```\n[code](nowhere)\n```\n"
