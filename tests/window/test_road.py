@@ -21,6 +21,7 @@ from window_helpers.hand import PICTURES, Hand
 from window_helpers.task_panels import PANEL, accept
 
 DOCK, PLAYER = "CNCStepper_Dock_", "CNCStepper_Simulation_"
+FLAT_PASS = "1.4"  # mm: 3 mm less the last pass of 0.2 mm, in two
 LEAF_MM = [(-18 + 36 * k / 40, 9 * math.sin(k / 40 * 2 * math.pi)) for k in range(41)]
 
 
@@ -113,6 +114,8 @@ def cut_a_pocket(hand: Hand) -> None:
     hand.fill(f"{PANEL}radius_x_mm", "26")
     hand.fill(f"{PANEL}radius_y_mm", "17,5")
     hand.fill(f"{PANEL}depth_mm", "3")
+    hand.wait(lambda: FLAT_PASS in hand.text(f"{PANEL}ap_mm").replace(",", "."), 20, "the passes of that depth")
+    hand.wait(lambda: hand.text(f"{PANEL}time")[:1].isdigit(), 20, "the time of the pocket")
     hand.shot("road-3-pocket")
     accept(hand)
     (pocket,) = hand.main(ours, "EllipticalPocket")
