@@ -87,6 +87,7 @@ def look_from_above(height_mm: float) -> None:
 def new_job(hand: Hand) -> None:
     hand.command("CNCStepper_NewJob")
     hand.wait(lambda: hand.exists(f"{PANEL}ok"), 20, "the job's panel")
+    assert hand.text(f"{PANEL}cancel") == hand.main(tr, "Cancel")
     hand.shot("road-1-job")
     accept(hand)
     assert len(hand.main(ours, "Job")) == 1

@@ -20,6 +20,21 @@ def name_standard_buttons(box: Any, prefix: str) -> None:
         if button is not None:
             button.setText(tr(text))
             button.setObjectName(f"{prefix}_{name.lower()}")
+    box.installEventFilter(_make_filter(box))
+
+
+def _make_filter(box: Any) -> Any:
+    """Return the filter that keeps our texts; its class is made here because Qt is loaded only with a window."""
+    from PySide import QtCore
+
+    class Texts(QtCore.QObject):
+        """Takes the news of a catalogue, at which a QDialogButtonBox gives its buttons Qt's own texts."""
+
+        def eventFilter(self, watched: Any, event: Any) -> bool:
+            """Return whether the event ends here."""
+            return isinstance(event, QtCore.QEvent) and event.type() == QtCore.QEvent.Type.LanguageChange
+
+    return Texts(box)
 
 
 class PanelButtons:
