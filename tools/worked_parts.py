@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import sys
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from unittest.mock import patch
@@ -112,17 +112,21 @@ def work_lathe(path: Path) -> WorkedPart:
 
 
 def keep(name: str) -> None:
-    """Work one part and keep its picture in each language; ends with its findings when it may not be cut."""
-    part = work(name)
+    """Work one part and keep its pictures."""
+    keep_pictures(work(name), KEPT / f"{name}.png", {language: title(name, language) for language in CATALOGUES})
+
+
+def keep_pictures(part: WorkedPart, file: Path, titles: Mapping[str, str]) -> None:
+    """Keep the picture of a part in each language with its title; ends with its findings when it may not be cut."""
     if errors := [str(finding) for finding in part.findings if finding.severity == "error"]:
         sys.exit("\n".join(errors))
-    for language in CATALOGUES:
+    for language, heading in titles.items():
         with tempfile.TemporaryDirectory() as folder, patch.dict(TEXTS, WORDS[language]):
             drawn = Path(folder) / "part.png"
-            part.draw(drawn, title(name, language), Catalogue(language))
+            part.draw(drawn, heading, Catalogue(language))
             with Image.open(drawn) as picture:
                 small = kept(picture, WIDTH, COLOURS)
-            small.save(KEPT / localized_name(f"{name}.png", language), optimize=True)
+            small.save(file.with_name(localized_name(file.name, language)), optimize=True)
 
 
 def title(name: str, language: str) -> str:

@@ -16,7 +16,16 @@ from CNCStepper.cycles.catalogue import CYCLES, cycle_class
 from CNCStepper.workbench.features.base import Feature
 from CNCStepper.workbench.help.feature_classes import CLASSES
 from CNCStepper.workbench.help.object_tables import properties_of_type
-from CNCStepper.workbench.help.topics import CODES, GUIDE_PAGES, OBJECT_TOPICS, REFUSALS, TOPIC_OF, refusals_page, slug
+from CNCStepper.workbench.help.topics import (
+    CODES,
+    GUIDE_PAGES,
+    OBJECT_TOPICS,
+    REFUSALS,
+    TOPIC_OF,
+    cycle_picture,
+    refusals_page,
+    slug,
+)
 from CNCStepper.workbench.machines.declaration import key_of_row, rows, tables
 from helpers.tools import TOOLS, load
 
@@ -128,8 +137,8 @@ def test_links_and_pictures_are_whole(pages: dict, language: str) -> None:
 
 @pytest.mark.slow
 def test_pages_in_portuguese_show_portuguese_windows_and_parts(pages: dict) -> None:
-    """Every picture with words of its own: those of the window and those of the worked parts."""
-    with_words = re.compile(r"pictures/(road-[\w-]+|parts/[\w-]+)\.png")
+    """Every picture with words of its own: those of the window, of the worked parts and of the cycles."""
+    with_words = re.compile(r"pictures/((?:road-|parts/|cycles/)[\w-]+)\.png")
     shown = {path: with_words.findall(text) for path, text in pages["en"].items()}
     assert sum(map(len, shown.values())) > 6
     for path, names in shown.items():
@@ -168,6 +177,14 @@ def test_the_help_of_the_window_leads_to_the_refusals(language: str, begin: str)
     assert f"]({REFUSALS})" in manual.object_pages.contents_page(str)
     page = refusals_page(language)
     assert page.startswith(begin) and re.findall(r"\]\(([^)]*)\)", page) == [CODES]
+
+
+@pytest.mark.parametrize(
+    ("language", "file"), [("en", "pocket.png"), ("pt_BR", "pocket.pt-BR.png"), ("de", "pocket.png")]
+)
+def test_the_help_of_the_window_shows_the_picture_of_its_language(language: str, file: str) -> None:
+    assert cycle_picture("pocket", language) == file
+    assert cycle_picture("none-of-that-name", language) == "none-of-that-name.png"
 
 
 def test_every_guide_is_in_the_contents() -> None:

@@ -116,6 +116,12 @@ def guide_file(address: str, language: str) -> Path:
     return wanted if wanted.exists() else GUIDES / address
 
 
+def cycle_picture(name: str, language: str) -> str:
+    """Return the file of a cycle's picture in a language, in English where it has no other."""
+    own = f"{name}{SUFFIXES.get(language, '.md').removesuffix('.md')}.png"
+    return own if (CYCLE_PICTURES / own).exists() else f"{name}.png"
+
+
 def refusals_page(language: str) -> str:
     """Return the page about refusals in a language, in English where it has no other, with the links of the help."""
     wanted = REFUSALS_PAGE.with_suffix(SUFFIXES.get(language, ".md"))

@@ -22,13 +22,13 @@ from CNCStepper.workbench.help.topics import (
     CODE_OF_LANGUAGE,
     CODES,
     CONTENTS,
-    CYCLE_PICTURES,
     GUIDES,
     OBJECTS_FOLDER,
     PROFILE,
     REFUSALS,
     TOPIC_OF,
     address_of,
+    cycle_picture,
     guide_file,
     refusals_page,
     slug,
@@ -226,8 +226,7 @@ def with_whole_addresses(text: str, folder: Path) -> str:
 
 def _object_page(type_name: str) -> str:
     topic = TOPIC_OF[type_name]
-    picture = CYCLE_PICTURES / f"{topic.picture}.png"
-    address = f"../pictures/cycles/{picture.name}" if topic.picture else ""
+    address = f"../pictures/cycles/{cycle_picture(topic.picture, language())}" if topic.picture else ""
     return object_pages.object_page(topic, properties_of_type(type_name), tr, address, topic.guide)
 
 
