@@ -5,7 +5,7 @@ Loaded with the first panel, it would keep the window from its events for half a
 
 opening.py ──► after AFTER_MS: begin ──► thread: modules of the core, then one kernel: numba loads as much for it
                begin_in_window ──► when these are loaded: one of the window's own modules in each of its events
-                               ──► then: thread: all kernels, where they are compiled already
+                               ──► then: thread: the sentences of messages; all kernels, where they are compiled already
 """
 
 from __future__ import annotations
@@ -144,15 +144,17 @@ def _load_next(loaded: Future[None], left: Iterator[str], timer: Any) -> None:
     timer.stop()
     timer.deleteLater()
     loaded.result()
-    in_background(_load_kernels)
+    in_background(_load_the_rest)
 
 
-def _load_kernels() -> None:
-    """Load the machine code of what is cut in the window, which takes a tenth of a second for each kind of cut."""
+def _load_the_rest() -> None:
+    """Read the sentences of messages, and the machine code of what is cut in the window: a tenth of a second each."""
     from CNCStepper.workbench.calculation.kernel_warmup import are_compiled
+    from CNCStepper.workbench.services import message_translation
 
     global ended
     try:
+        message_translation.load_catalogue()
         if are_compiled():
             from CNCStepper.workers.kernel_warm_up import cut_each_kind
 

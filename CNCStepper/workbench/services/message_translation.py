@@ -152,6 +152,11 @@ def _values(pieces: list[str], english: str) -> list[str]:
     return [*values, english[at:end]] if at < end else []
 
 
+def load_catalogue() -> None:
+    """Read the catalogue's sentences, in any thread: the first message that is translated would wait for it."""
+    _catalogue()
+
+
 @functools.cache
 def _catalogue() -> tuple[frozenset[str], list[tuple[list[str], str]]]:
     """Return the sentences without values, and those with values and their pieces, the most telling first."""
