@@ -7187,6 +7187,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Jog by keys</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Jogging</source>
             <translation type="unfinished"></translation>
         </message>
@@ -11434,6 +11438,10 @@ the height</source>
         </message>
         <message>
             <source>While pressed</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>While this is pressed in and has the keyboard, the arrow keys move X and Y, and Page up and Page down move Z. A click or Tab to anything else switches it off and stops the motion.</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

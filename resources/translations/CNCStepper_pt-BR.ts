@@ -7187,6 +7187,10 @@
             <translation>Movimento manual</translation>
         </message>
         <message>
+            <source>Jog by keys</source>
+            <translation>Mover por teclas</translation>
+        </message>
+        <message>
             <source>Jogging</source>
             <translation>Movimento manual</translation>
         </message>
@@ -11437,6 +11441,10 @@ altura</translation>
         <message>
             <source>While pressed</source>
             <translation>Enquanto pressionado</translation>
+        </message>
+        <message>
+            <source>While this is pressed in and has the keyboard, the arrow keys move X and Y, and Page up and Page down move Z. A click or Tab to anything else switches it off and stops the motion.</source>
+            <translation>Enquanto está pressionado e tem o teclado, as setas movem X e Y, e Page up e Page down movem Z. Um clique ou Tab para qualquer outra coisa o desliga e para o movimento.</translation>
         </message>
         <message>
             <source>Whole part</source>

@@ -156,6 +156,53 @@ def test_a_repetition_that_qt_takes_for_another_press_acts_once(hand: Hand, dock
     assert pressed == ["home"]
 
 
+def test_arrow_keys_jog_while_their_button_has_the_keyboard(hand: Hand, dock: Any) -> None:  # noqa: F811
+    connected(hand, "1× speed")
+    keys = hand.main(hand.find, f"{D}JogKeys")
+    hand.click(f"{D}JogKeys")
+    assert hand.main(keys.isChecked)
+    for key, axis, place_mm in (
+        ("Right", "X", 1),
+        ("Up", "Y", 1),
+        ("Prior", "Z", 1),
+        ("Left", "X", 0),
+        ("Down", "Y", 0),
+    ):
+        hand.key(key)
+        hand.wait(lambda axis=axis, at=place_mm: abs(work_mm(hand, axis) - at) < 0.01, 20, f"{axis} at {place_mm} mm")
+        says(hand, "Idle", 5)
+    hand.key("Tab")  # away, and off
+    assert not hand.main(keys.isChecked) and focus(hand) != "JogKeys"
+    for key in ("Right", "Up", "Prior"):
+        hand.key(key)
+    time.sleep(0.5)
+    assert [round(work_mm(hand, axis), 2) for axis in "XYZ"] == [0, 0, 1]
+
+
+def test_a_key_that_is_held_jogs_until_it_is_let_go_or_the_keyboard_goes(hand: Hand, dock: Any) -> None:  # noqa: F811
+    connected(hand, "1× speed")
+    hand.click(f"{D}Step4")
+    for end in ("release", "leave"):
+        hand.click(f"{D}JogKeys")
+        stood = work_mm(hand, "Y")
+        hand.keyboard.down("Up")
+        says(hand, "Jogging")
+        hand.wait(lambda stood=stood: work_mm(hand, "Y") > stood + 25, 20, "more than a repetition's way")
+        if end == "leave":
+            hand.click(f"{D}JogFeed")
+        else:
+            hand.keyboard.up("Up")
+        says(hand, "Idle", 3)
+        if end == "leave":
+            hand.keyboard.up("Up")
+        time.sleep(0.5)  # it may stand a moment between two renewals of the jog
+        stood = work_mm(hand, "Y")
+        time.sleep(0.5)
+        assert work_mm(hand, "Y") == stood
+        hand.click(f"{D}ConsoleLine")
+        assert not hand.main(hand.find(f"{D}JogKeys").isChecked)
+
+
 def test_what_stop_leaves_is_no_control(hand: Hand, dock: Any) -> None:  # noqa: F811
     begun(hand)
     before = tree(hand)

@@ -17,6 +17,7 @@ from CNCStepper.control.service.connection_client import JOG_RENEW_S
 from CNCStepper.workbench.dock.model import settings
 from CNCStepper.workbench.dock.model.button_states import RULES, ControllerSnapshot, why_not, why_not_axis
 from CNCStepper.workbench.dock.views import widgets
+from CNCStepper.workbench.dock.views.jog_keys import JogKeys
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.number_format import Lengths
 from CNCStepper.workbench.services.translation import tr
@@ -49,6 +50,8 @@ class JogView(QtGui.QWidget):
         layout.addLayout(pad)
         layout.addLayout(self._steps(point))
         layout.addLayout(widgets.row(self._continuous(), self._feed_box()))
+        self.keys = JogKeys(self.arrows)
+        layout.addWidget(self.keys)
         self._timer = QtCore.QTimer(self)
         self._timer.setInterval(RENEW_MS)
         self._timer.timeout.connect(guarded(self._renew))
@@ -68,7 +71,7 @@ class JogView(QtGui.QWidget):
 
     def _arrow(self, name: str, axis: str, sign: int) -> Any:
         arrow = widgets.button(f"Jog{name}", f"{axis.upper()}{'+' if sign > 0 else '−'}", icon=f"Jog{name}")
-        arrow.setFocusPolicy(QtCore.Qt.FocusPolicy.NoFocus)  # no key may move the machine
+        arrow.setFocusPolicy(QtCore.Qt.FocusPolicy.NoFocus)  # no key may move the machine but those of `JogKeys`
         arrow.setAccessibleName(f"{tr('Jog')} {arrow.text()}")
         arrow.setMinimumHeight(arrow.sizeHint().height() + 8)
         arrow.pressed.connect(guarded(partial(self._pressed, arrow, axis, sign)))

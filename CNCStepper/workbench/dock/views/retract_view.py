@@ -48,7 +48,7 @@ class RetractView(QtGui.QWidget):
             ASIDE: widgets.button("Aside", tr("Free to jog"), lambda: go(ASIDE, True)),
         }
         for button in self.buttons.values():
-            button.setFocusPolicy(QtCore.Qt.FocusPolicy.NoFocus)  # no key may move the machine
+            button.setFocusPolicy(QtCore.Qt.FocusPolicy.TabFocus)  # no click leaves the keys to what moves the machine
         rows = widgets.grid()
         rows.setColumnStretch(0, 1)
         for place, widget in enumerate((self.length, self.buttons[BACK], self.buttons[FORWARD])):
