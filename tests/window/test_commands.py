@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import FreeCAD
@@ -18,6 +18,7 @@ from PySide import QtGui
 from CNCStepper.workbench import api, packages
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.services import missing_packages
+from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
 LABELS = {
@@ -92,7 +93,7 @@ OF_PROCESSES: tuple[dict[str, Any], ...] = (
     {"process": "plasma", "machine": "torch-table", "material": "mild-steel", "stock_size_mm": (200, 150, 3)},
     {"process": "hot-wire", "machine": "wire-table", "material": "eps", "stock_size_mm": (200, 150, 20)},
 )
-POCKET, ENGRAVE = "CNCStepper_EllipticalPocket", "CNCStepper_Engrave"
+POCKET, ENGRAVE, BORE = "CNCStepper_EllipticalPocket", "CNCStepper_Engrave", "CNCStepper_Bore"
 
 
 def action(name: str) -> Any:
@@ -392,6 +393,29 @@ def test_cancel_leaves_nothing(hand: Hand) -> None:
     hand.wait(lambda: not FreeCADGui.Control.activeDialog())
     assert hand.main(lambda: [obj.Name for obj in document.Objects]) == names
     assert hand.main(lambda: list(document.UndoNames)) == undo
+
+
+def click_twice(hand: Hand, name: str) -> None:
+    hand.click(hand.main(places.tool_button, name), double=True)
+
+
+def run_twice(hand: Hand, name: str) -> None:
+    hand.main(lambda: [FreeCADGui.runCommand(name) for _ in range(2)])  # before anything else is done
+
+
+@pytest.mark.parametrize("twice", [click_twice, run_twice])
+def test_a_command_that_is_chosen_twice_makes_one_object(hand: Hand, twice: Callable[[Hand, str], None]) -> None:
+    job = hand.main(lambda: new_job(new_document()))
+    before = hand.main(lambda: [obj.Name for obj in job.Document.Objects])
+    hand.tree("Job")
+    hand.wait(lambda: action(BORE).isEnabled())
+    twice(hand, BORE)
+    hand.wait(lambda: hand.exists("CNCStepper_Panel_cancel"), 20, "the panel")
+    hand.settle()
+    assert hand.main(lambda: len(job.Document.Objects)) == len(before) + 1
+    hand.click("CNCStepper_Panel_cancel")
+    hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 20, "the panel to close")
+    assert hand.main(lambda: [obj.Name for obj in job.Document.Objects]) == before
 
 
 def test_a_drawing_that_is_no_ellipse_is_refused_in_words(hand: Hand) -> None:

@@ -10,9 +10,9 @@ click ──► what of the drawings is not fitted? ── nothing ──► mak
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
-from typing import Any, TypeVar
+from typing import Any
 
 from CNCStepper.job import request_digest
 from CNCStepper.job.deferred_fitting import Unfitted, only_looking
@@ -27,8 +27,8 @@ from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.messages import guarded, note
 from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, tr
 
-Made = TypeVar("Made")
 WHO = object()  # one asks at a time: a newer click takes the place of the one before
+_titles: list[str] = []  # of what is being made
 
 
 def create(document: Any, title: str, make: Callable[[], Any]) -> None:
@@ -37,38 +37,30 @@ def create(document: Any, title: str, make: Callable[[], Any]) -> None:
     `title` stands in the list of undo steps. When the object cannot be made, or its panel not be opened, the
     document is as it was, and the reason is shown. Object and panel come in an event each, for both take long
     together; the first is not that of the command either, at whose end FreeCAD commits what is open without a panel.
+    What is asked for meanwhile, as by the second click of a double click, is not made.
     """
-    _soon(partial(_make, document, title, make))
+    from CNCStepper.workbench.services.event_steps import in_events  # needs Qt, without which the manual reads this
+
+    if not _titles:
+        _titles.append(title)
+        in_events(_steps(document, title, make), lambda: None)
 
 
-def _soon(act: Callable[[], Any]) -> None:
-    from PySide import QtCore  # the manual reads this module without it
-
-    QtCore.QTimer.singleShot(0, guarded(act))
-
-
-def _make(document: Any, title: str, make: Callable[[], Any]) -> None:
+def _steps(document: Any, title: str, make: Callable[[], Any]) -> Iterator[None]:
     from CNCStepper.workbench import freehand
-
-    freehand.leave()
-    undo_steps.begin(document, title)
-    made = _or_abort(document, make)
-    _soon(lambda: _or_abort(document, partial(_open, made)))
-
-
-def _open(made: Any) -> None:
     from CNCStepper.workbench.panels import open_panel
 
-    open_panel(made)
-
-
-def _or_abort(document: Any, act: Callable[[], Made]) -> Made:
-    """Return what an act returns; where it fails, the document is as it was."""
     try:
-        return act()
+        freehand.leave()
+        undo_steps.begin(document, title)
+        made = make()
+        yield
+        open_panel(made)
     except Exception:
         document.abortTransaction()
         raise
+    finally:
+        _titles.clear()
 
 
 def tool_for(job: Any, cycle: str) -> Any:
