@@ -21010,6 +21010,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a whole path, or save the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give all of them</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23023,10 +23027,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>name one that the system has: {families}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>name one, or save the document</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

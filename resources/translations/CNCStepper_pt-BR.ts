@@ -21047,6 +21047,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>dê uma distância de 0,0001 mm ou mais e um avanço acima de 0</translation>
         </message>
         <message>
+            <source>give a whole path, or save the document</source>
+            <translation>dê um caminho completo ou salve o documento</translation>
+        </message>
+        <message>
             <source>give all of them</source>
             <translation>informe todos</translation>
         </message>
@@ -23061,10 +23065,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>name one that the system has: {families}</source>
             <translation>indique uma que o sistema tenha: {families}</translation>
-        </message>
-        <message>
-            <source>name one, or save the document</source>
-            <translation>indique uma, ou salve o documento</translation>
         </message>
         <message>
             <source>name the machine (--machine)</source>

@@ -81,6 +81,7 @@ def test_what_cannot_be_arranged_is_refused(document: Any, file: Path, tmp_path:
         ([str(file)], {}, [(0, 0.0, 0.0, 0.0), (0, 5.0, 0.0, 0.0)], "cut into each other"),
         ([str(file)], {}, [(0, 0.0, 0.0, 0.0), (0, 1e4, 0.0, 0.0)], "travel"),
         ([str(file)], {"file": ""}, [(0, 0.0, 0.0, 0.0)], "no file"),
+        ([str(file)], {"file": "none.nc"}, [(0, 0.0, 0.0, 0.0)], "whole path"),
     ):
         arrangement = api.add_arrangement(job, programs, **{"file": str(tmp_path / "none.nc"), **values})
         with pytest.raises(CNCStepperError, match=why):

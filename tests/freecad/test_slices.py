@@ -92,6 +92,15 @@ def test_without_a_solid_or_a_folder_it_says_so(document: Any, block: Any) -> No
         api.slice_solid(slices)
 
 
+def test_a_relative_folder_lies_beside_the_document(document: Any, block: Any, tmp_path: Path) -> None:
+    slices = api.add_slices(document, block, folder="fatias ç", sheet_x_mm=200, sheet_y_mm=100, time_s=1.0)
+    with pytest.raises(JobError, match=r"no folder.*whole path"):
+        api.slice_solid(slices)
+    document.saveAs(str(tmp_path / "block.FCStd"))
+    api.slice_solid(slices)
+    assert list((tmp_path / "fatias ç").glob("*.dxf"))
+
+
 def test_it_survives_saving_and_opening(document: Any, block: Any, tmp_path: Path) -> None:
     slices = sliced(document, block, tmp_path / "out", thickness_mm=4)
     path, name = tmp_path / "block.FCStd", slices.Name

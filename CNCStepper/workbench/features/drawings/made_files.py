@@ -6,11 +6,14 @@ sources, values ──► key_of ──► compared with MadeOf ──► is_sta
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Any
 
 from CNCStepper.errors import JobError
 from CNCStepper.workbench.features.base import HIDDEN, STALE, Feature
+
+NAME_ONE = "give a whole path, or save the document"
 
 
 class MadeFiles(Feature):
@@ -57,9 +60,21 @@ def is_stale(obj: Any) -> bool:
 
 def folder_of(obj: Any) -> Path:
     """Return the folder of the files; raises JobError where neither the object nor the document names one."""
-    if obj.Folder:
-        return Path(obj.Folder).expanduser()
+    folder = written_to(obj, obj.Folder, obj.Name)
+    if folder is None:
+        raise JobError("sheets-folder", "there is no folder for the drawings", value=obj.Folder, advice=NAME_ONE)
+    return folder
+
+
+def written_to(obj: Any, named: str, own: str) -> Path | None:
+    """Return the path that is named, for "" `own` in a folder beside the document, None where neither is known.
+
+    A relative path begins where the document lies: nobody sees where FreeCAD was started.
+    """
+    path = Path(os.path.expanduser(named))
+    if named and path.is_absolute():
+        return path
     if not obj.Document.FileName:
-        what, advice = "there is no folder for the drawings", "name one, or save the document"
-        raise JobError("sheets-folder", what, advice=advice)
-    return Path(obj.Document.FileName).with_suffix("") / obj.Name
+        return None
+    document = Path(obj.Document.FileName)
+    return document.parent / path if named else document.with_suffix("") / own

@@ -28,7 +28,7 @@ from CNCStepper.workbench.features.base import (
     proxy_type,
     values,
 )
-from CNCStepper.workbench.features.drawings.made_files import MadeFiles
+from CNCStepper.workbench.features.drawings.made_files import NAME_ONE, MadeFiles, written_to
 from CNCStepper.workbench.features.program import Program, fingerprint, program_of_file
 from CNCStepper.workbench.services.translation import later
 
@@ -111,11 +111,10 @@ def is_source(obj: Any) -> bool:
 
 def file_of(obj: Any) -> Path:
     """Return where the program is written; raises JobError where neither the object nor the document says so."""
-    if obj.File:
-        return Path(obj.File).expanduser()
-    if not obj.Document.FileName:
-        raise JobError("arrange-file", "there is no file for the program", advice="name one, or save the document")
-    return Path(obj.Document.FileName).with_suffix("") / f"{obj.Name}.nc"
+    file = written_to(obj, obj.File, f"{obj.Name}.nc")
+    if file is None:
+        raise JobError("arrange-file", "there is no file for the program", value=obj.File, advice=NAME_ONE)
+    return file
 
 
 def asked_of(obj: Any, verb: str, **more: Any) -> dict[str, Any]:
