@@ -106,6 +106,15 @@ def change(name: str, **properties: Any) -> None:
 
 
 @_repeats
+def unchanged(name: str) -> None:
+    """Leave an object as it is in a step that an undo takes back: FreeCAD keeps no step in which nothing was set."""
+    obj = _found(name)
+    said = obj.Label2
+    obj.Label2 = f"{said} "
+    obj.Label2 = said
+
+
+@_repeats
 def remove(name: str) -> None:
     """Delete an object."""
     _document().removeObject(name)

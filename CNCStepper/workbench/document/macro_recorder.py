@@ -180,7 +180,7 @@ def lines_of(document: Any, step: Step) -> Iterator[str]:
     new = [_add_line(document.getObject(name)) for name in made if name in step.created]
     gone = [f"macro.remove({name!r})" for name in step.deleted if name not in inside]
     if touched and not (new or changes or read or gone):  # FreeCAD keeps it all the same: an undo takes it back
-        changes = [_unchanged_line(document.getObject(touched[0]))]
+        changes = [f"macro.unchanged({touched[0]!r})"]
     if new or changes or read or gone:
         yield f"macro.begin({step.name!r})"
         yield from new
@@ -209,11 +209,6 @@ def _add_line(obj: Any) -> str:
     kind = type(obj.Proxy)
     more = f", {obj.ShapeKind!r}" if hasattr(obj, "ShapeKind") else ""
     return f'macro.add({obj.Name!r}, {obj.TypeId!r}, "{kind.__module__}.{kind.__qualname__}"{more})'
-
-
-def _unchanged_line(obj: Any) -> str:
-    """Return the line of a step that leaves an object as it was."""
-    return f"macro.change({obj.Name!r}, Label={obj.Label!r})"
 
 
 def _change_lines(obj: Any, step: Step) -> Iterator[str]:
