@@ -95,6 +95,9 @@ def test_a_reload_adds_objects_beside_one_that_lies_in_a_nest(document: Any, tmp
     assert len(drawing.Group) == len(before) + 1
     assert (nest.Parts, nest.Remnants) == (parts, remnants)
     assert set(before) < set(drawing.Group)
+    plate(path, more="")
+    api.reload_drawing(drawing)
+    assert len(drawing.Group) == 2 and set(nest.Parts) | set(nest.Remnants) == set(drawing.Group)
 
 
 def test_what_the_file_lost_is_told_where_it_was_cut(document: Any, tmp_path: Path) -> None:

@@ -224,10 +224,10 @@ def applied(obj: Any, imported: ImportedDrawing) -> Iterator[None]:
     """
     from CNCStepper.workbench.features.drawings.imported_parts import (
         best_split,
+        in_one_group,
         matched,
         new_object,
         parts_of_chains,
-        set_members,
         set_part,
         shape_steps,
     )
@@ -248,9 +248,11 @@ def applied(obj: Any, imported: ImportedDrawing) -> Iterator[None]:
             set_part(target, part, shape)
         group.append(target)
         yield
-    for gone in [each for each in before if each not in group]:
-        obj.Document.removeObject(gone.Name)
-    set_members(obj, [*group, *others])
+    if list(obj.Group) != (members := [*group, *others]):
+        with in_one_group([*before, *others]):
+            for gone in [each for each in before if each not in group]:
+                obj.Document.removeObject(gone.Name)
+            obj.Group = members
     obj.Chains, obj.Faults = len(imported.chains), imported.problems.count
     obj.SharedKerf = imported.kerf_mm or 0.0
     obj.ReadWith = json.dumps({"key": read_key(obj), "state": asdict(imported.state)})

@@ -12,6 +12,7 @@ from __future__ import annotations
 import hashlib
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
@@ -164,28 +165,32 @@ def new_object(document: Any, part: ImportedPart) -> Any:
     return obj
 
 
-def set_members(group: Any, members: list[Any]) -> None:
-    """Let these be the members of a group.
+@contextmanager
+def in_one_group(members: list[Any]) -> Iterator[None]:
+    """Take away meanwhile what links objects from other groups than their own.
 
-    FreeCAD takes any link of another group for membership, that of a nest to its parts too, and refuses a member of
-    two groups: such links are taken away meanwhile.
+    FreeCAD takes any link of a group for membership, that of a nest to its parts too, and refuses a member of two
+    groups at each change of one of them.
     """
-    if list(group.Group) == members:
-        return
-    links = list(_links_of_other_groups(group, members))
-    for other, name, linked in links:
-        setattr(other, name, [] if isinstance(linked, list) else None)
+    links = list(_links_of_groups(members))
+    for group, name, _ in links:
+        _link(group, name, [])
     try:
-        group.Group = members
+        yield
     finally:
-        for other, name, linked in links:
-            setattr(other, name, linked)
+        for group, name, linked in links:
+            _link(group, name, [each for each in map(group.Document.getObject, linked) if each is not None])
 
 
-def _links_of_other_groups(group: Any, members: list[Any]) -> Iterator[tuple[Any, str, Any]]:
-    """Yield each link of another group to a member but that of its own members: the group, the property, its value."""
-    others = {other for member in members for other in member.InList if hasattr(other, "Group") and other != group}
-    for other in others:
-        for name in other.PropertiesList:
-            if name != "Group" and other.getTypeIdOfProperty(name) in (LINK, CONTAINERS):
-                yield other, name, getattr(other, name)
+def _links_of_groups(members: list[Any]) -> Iterator[tuple[Any, str, list[str]]]:
+    """Yield each link of a group to one of some objects but those to its own members: group, property, names."""
+    for group in {other for member in members for other in member.InList if hasattr(other, "Group")}:
+        for name in group.PropertiesList:
+            if name != "Group" and group.getTypeIdOfProperty(name) in (LINK, CONTAINERS):
+                linked = getattr(group, name)
+                yield group, name, [each.Name for each in (linked if isinstance(linked, list) else [linked]) if each]
+
+
+def _link(group: Any, name: str, linked: list[Any]) -> None:
+    is_list = group.getTypeIdOfProperty(name) == CONTAINERS
+    setattr(group, name, linked if is_list else next(iter(linked), None))
