@@ -177,7 +177,7 @@ def change(hand: Hand, editor: Any, field: Any, box: Any) -> None:
     def answers() -> bool:
         if editor.waiting or editor.timer.isActive():
             return False
-        said = [editor.problem.text(), *(each.note.text() for each in editor.form.field_order())]
+        said = [editor.problem.text(), *(each.said for each in editor.form.field_order())]
         return value_of(field.obj, entry) == wanted or any(said)
 
     hand.wait(answers, 60, f"{entry.key} to be {wanted}")

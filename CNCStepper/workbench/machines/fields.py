@@ -219,6 +219,7 @@ class ListEditor(QtGui.QWidget):
         box = ChoiceEditor(Row((self.table.key, key), CHOICE, row.choices, default=row.default, required=row.required),
                            chosen)  # fmt: skip
         box.setObjectName(f"{NAME}_{self.table.key}_{line}_{key}")
+        box.setAccessibleName(f"{label_with_unit(row)} {line + 1}")
         box.show_text(entry.get(key, ""))
         self.grid.setCellWidget(line, place, box)
 

@@ -150,19 +150,18 @@ class Field(QtCore.QObject):
         super().__init__(parent)
         self.obj = obj
         self.entry = entry
+        self.name = f"{NAME}_{entry.key}"  # how the names of its widgets begin
         self.edited = False  # what stands here is not yet in the object
-        self._mends: RemedyBar | None = None  # made at the first need: few fields show one
+        self._note: NoteLabel | None = None  # this and the next two are made at the first need: few fields show them
+        self._work: WorkNote | None = None
+        self._mends: RemedyBar | None = None
         self.widget = QtGui.QWidget(parent)
         self.label = QtGui.QLabel(tr(entry.label), parent)
         self.label.setContentsMargins(0, GAP_PX, 0, GAP_PX)
-        self.note = note_label(f"{NAME}_{entry.key}_error", ERROR_COLOUR, self.widget)
         self._column = QtGui.QVBoxLayout(self.widget)
         self._column.setContentsMargins(0, GAP_PX, 0, GAP_PX)
         self._column.setSpacing(1)
         self.editors = self.make()
-        self._work = WorkNote(f"{NAME}_{entry.key}_work", self.widget)
-        self._column.addWidget(self._work)
-        self._column.addWidget(self.note)
         self._explain()
         set_key(self.widget, entry.key)
 
@@ -208,10 +207,19 @@ class Field(QtCore.QObject):
         for part in (self.label, self.widget):
             part.setVisible(seen)
 
+    @property
+    def said(self) -> str:
+        """What is said below the field to be wrong with it."""
+        return "" if self._note is None else str(self._note.text())
+
     def mark(self, sentence: str, remedies: Sequence[Remedy] = ()) -> None:
         """Say below the field what is wrong with it, with the remedies as buttons; "" takes it back."""
-        self.note.setText(sentence)
-        self.note.setVisible(bool(sentence))
+        if sentence and self._note is None:
+            self._note = note_label(f"{self.name}_error", ERROR_COLOUR, self.widget)
+            self._column.addWidget(self._note)
+        if self._note is not None:
+            self._note.setText(sentence)
+            self._note.setVisible(bool(sentence))
         if remedies and self._mends is None:
             self._mends = RemedyBar(self.widget)
             self._column.addWidget(self._mends)
@@ -223,11 +231,16 @@ class Field(QtCore.QObject):
 
     def show_work(self, working: bool) -> None:
         """Show below the field, after a moment, that what stands there is being cut; or no longer."""
-        self._work.begin() if working else self._work.end()
+        if working and self._work is None:
+            self._work = WorkNote(f"{self.name}_work", self.widget)
+            self._column.insertWidget(self._column.indexOf(self._note) if self._note else -1, self._work)
+        if self._work is not None:
+            self._work.begin() if working else self._work.end()
 
     def show_stage(self, words: str) -> None:
         """Show the present stage of the calculation, if there is one."""
-        self._work.say(words)
+        if self._work is not None:
+            self._work.say(words)
 
     def has_focus(self) -> bool:
         """Return whether the keyboard is here."""
@@ -239,7 +252,7 @@ class Field(QtCore.QObject):
 
     def add(self, editor: Any, suffix: str = "", layout: Any = None) -> Any:
         """Add one widget to the field under its name for tests."""
-        editor.setObjectName(f"{NAME}_{self.entry.key}{suffix}")
+        editor.setObjectName(f"{self.name}{suffix}")
         editor.setAccessibleName(self.label.text())
         (layout or self._column).addWidget(editor)
         return editor

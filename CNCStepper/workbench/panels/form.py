@@ -116,7 +116,7 @@ class Form(QtGui.QWidget):
     def unmark(self) -> None:
         """Take all marks back."""
         for field in self.fields.values():
-            if field.note.text():
+            if field.said:
                 field.mark("")
 
     def box(self, title: str, folded: bool = False) -> Box:

@@ -137,7 +137,7 @@ class Editor(QtGui.QWidget):
         What is still being cut is not good yet: `waiting` says so.
         """
         self.apply()
-        marked = [field for field in self.form.field_order() if field.note.text()]
+        marked = [field for field in self.form.field_order() if field.said]
         if marked:
             marked[0].focus()
         elif self.refused:

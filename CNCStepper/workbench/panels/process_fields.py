@@ -212,8 +212,8 @@ class ChartValueField(NumberField):
 
     def __init__(self, obj: Any, entry: Any, parent: Any):
         super().__init__(obj, entry, parent)
-        self.editors[0].setObjectName(f"{NAME}_cut_{entry.key}")  # the tool's editor in the same panel has a feed, too
-        self.note.setObjectName(f"{NAME}_cut_{entry.key}_error")
+        self.name = f"{NAME}_cut_{entry.key}"  # the tool's editor in the same panel has a feed, too
+        self.editors[0].setObjectName(self.name)
 
     def make(self) -> list[Any]:
         """Add the line, and beside it what takes the chart's value again."""
