@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import sys
 
 INSIDE = "CNCSTEPPER_WINDOW_STATUS" in os.environ
 collect_ignore_glob = [] if INSIDE else ["test_*.py", "*/test_*.py"]
@@ -32,9 +33,9 @@ if INSIDE:
         "test_lathe.py",
         "test_libraries.py",
         "test_machines.py",
-        "test_preferences.py",
-    }
-    LOOSER = {"test_preferences.py": (90.0, "FreeCAD makes its whole dialog of preferences in the event of our page")}
+    }  # not test_preferences.py: FreeCAD makes its whole dialog in one event, of which samples see the Python alone
+    # A share that samples have told, and a processor's speed, are so much off; PySide6 takes 50 to 60 for some panels.
+    ROUGHLY = 1.3 if sys.version_info < (3, 14) else 1.6
     KERNELS_S = 540  # so long may the kernels take to be compiled, on a busy machine
 
     def pytest_configure(config: pytest.Config) -> None:
@@ -114,7 +115,6 @@ if INSIDE:
             return
         with the_hand.event_watchdog() as watch:
             yield
-        most_ms, why = LOOSER.get(request.path.name, (LONGEST_MS, ""))
-        if why or watch.longest.ours_ms > 0.8 * most_ms:
-            print(f"{watch.longest}\n{why}", flush=True)
-        assert watch.longest.ours_ms < most_ms, str(watch.longest)
+        if watch.longest.ours_ms > 0.8 * LONGEST_MS:
+            print(watch.longest, flush=True)
+        assert watch.longest.ours_ms < ROUGHLY * LONGEST_MS, str(watch.longest)

@@ -190,7 +190,7 @@ def test_a_job_on_the_port_goes_line_by_line_and_its_lines_are_shown(
     hand.click(f"{D}ZeroAll")
     hand.wait(lambda: dock.link.status.position_known, 10, "the zero")
     test = open_test(hand, "parport")
-    hand.main(lambda: dialog().move(0, 0))
+    hand.main(lambda: (dialog().move(0, 0), dialog().resize(1000, dialog().height())))  # beside the dock
     hand.main(lambda: places.scroll_to(test.port))
     hand.click(f"{D}ByLine")
     file = tmp_path / "send.zip"

@@ -38,7 +38,8 @@ from window_helpers.task_panels import PANEL
 
 SMALL_SCREEN = (1280, 690)  # pixels: 1280 × 720 with the window's frame
 FRAME_PX = 2  # of a theme that is put on while FreeCAD runs
-SCALES = (1.0, 1.25, 1.5, 2.0)
+# A style sheet of FreeCAD 1.1 gives the letters of its windows a size of their own: they do not grow with Qt's.
+SCALES = (1.0, 1.25, 1.5, 2.0) if FreeCAD.Version()[1] == "20" else (1.0,)
 STYLE_SHEETS = Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets"
 DARK = STYLE_SHEETS / "Dark-blue.qss"  # FreeCAD 1.1 has none of its kind that Qt reads as it is
 PLAIN_DARK = "QWidget { background-color: #232932; color: #e0e0e0; }"
@@ -177,8 +178,9 @@ def sizes(hand: Hand) -> Iterator[Callable[[float], None]]:
 
 def cut_in_panel() -> list[str]:
     """Return what the open panel cuts; as wide as FreeCAD's own OK and Cancel in its dark theme it may be."""
-    area = places.area_around(f"{PANEL}ok")
-    buttons = area.findChild(QtGui.QDialogButtonBox).parentWidget()
+    heads = (each for each in places.all_widgets() if each.objectName().startswith(f"{PANEL}group_"))
+    area = places.area_around(next(each for each in heads if each.isVisible()))
+    buttons = places.find(f"{PANEL}ok").parentWidget().parentWidget()
     own_px = buttons.minimumSizeHint().width() + 2 * buttons.x() + FRAME_PX
     return places.cut_texts(area, max(0, own_px - area.viewport().width()))
 
