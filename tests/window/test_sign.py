@@ -102,6 +102,7 @@ def operation(hand: Hand, command: str, drawings: list[Any], **values: str) -> N
     """Select drawings, press a command's button, give values, and take what is made."""
     for number, drawing in enumerate(drawings):
         hand.tree(hand.main(lambda drawing=drawing: drawing.Label), modifiers=("Ctrl",) if number else ())
+    hand.wait(lambda: FreeCADGui.Selection.getSelection() == drawings, 5, "these drawings alone to be selected")
     panel_of(hand, command)
     for key, words in values.items():
         hand.fill(f"{PANEL}{key}", words)
