@@ -14,7 +14,7 @@ help:
 	@echo "make matrix  the tests inside FreeCAD 0.20.2, 1.0.0 and 1.1.3, with and without a window (sets them up; as root)"
 	@echo "make quick   the tests that take under 60 s together and need no FreeCAD"
 	@echo "make soak    the random cases of every cycle, 500 each in place of 25, and 5000 sends under faults (hours); RUNS=n takes another number"
-	@echo "make monkey  20 000 random clicks, keys and values over the panels in FreeCAD's window (STEPS=n, SEED=n; hours)"
+	@echo "make monkey  20 000 random clicks, keys, values and commands in FreeCAD's window, each walk recorded as a macro and run again (STEPS=n, SEED=n; hours)"
 	@echo "make fuzz    100 000 hostile programs for the reader (CASES=n), $(FILES) mutated jobs and profiles, a quarter of it tool files and drawings (FILES=n), then atheris looks for more for FUZZ_S=300 seconds"
 	@echo "make bench   measure speed, beside the programs we compare ourselves with"
 	@echo "make bench-guard   compare these ratios with those recorded last; name what fell by more than 10 %"

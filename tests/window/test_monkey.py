@@ -20,8 +20,9 @@ from CNCStepper.gcode.wire.read_back import refused_lines
 from CNCStepper.workbench import api
 from CNCStepper.workbench.features.base import is_job, problem_of, proxy_type, value_of
 from window_helpers import macros, monkey_documents
+from window_helpers import screen_places as places
 from window_helpers.hand import Hand
-from window_helpers.monkey import Monkey
+from window_helpers.monkey import Monkey, close_windows
 
 STEPS = int(os.environ.get("CNCSTEPPER_MONKEY_STEPS", "1000"))
 FIRST_SEED = int(os.environ.get("CNCSTEPPER_MONKEY_SEED", "1"))
@@ -76,6 +77,8 @@ def test_a_walk_of_random_steps(hand: Hand, seed: int, tmp_path: Path) -> None:
             monkey.step()
             assert hand.main(not_undone, document, before) == {}
         monkey.leave()
+        hand.main(close_windows)
+        hand.main(places.hide_our_windows)  # docks: Ctrl+Z is the document's again
         macro = macros.end_recording(hand, recorded)
         traces = [line.text for line in hand.report() if "Traceback" in line.text or line.text.startswith("  File ")]
         assert not traces, traces
@@ -88,3 +91,7 @@ def test_a_walk_of_random_steps(hand: Hand, seed: int, tmp_path: Path) -> None:
         print(f"walk {seed} over {kind}, the last steps: {list(monkey.done)}", flush=True)
         macros.stop_recording(hand)
         raise
+    finally:
+        while hand.main(places.close_one_popup):
+            hand.settle()
+        hand.main(close_windows)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Random clicks, keys and typed values at the task panels, from a seed: what a person may do by mistake.
+"""Random clicks, keys and typed values at all that is ours in the window, from a seed: what a person may do by mistake.
 
 Only what a person sees is touched, through the X server. Files are neither chosen nor written: a dialog that is not
-ours is left with Esc.
+ours is left with Esc. Commands that reach beyond the window, to a machine, a browser or the network, are not chosen.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
+from CNCStepper.workbench.editor.window import EditorDock
 from CNCStepper.workbench.features.base import proxy_type
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
@@ -27,7 +28,12 @@ TYPED = (
     *("{0}", "%s", "<b>", "1;2", "0.1.2", "-0", "45", "20000", " 7 ", "=1+1"),
 )
 KEYS = ("Tab", "Tab", "Up", "Down", "Prior", "Next", "Return", "space", "Ctrl+A", "BackSpace", "Ctrl+Z", "Home", "End")
-TOUCHED = ("QAbstractButton", "QLineEdit", "QAbstractSpinBox", "QComboBox", "QAbstractItemView")
+TOUCHED = ("QAbstractButton", "QLineEdit", "QAbstractSpinBox", "QComboBox", "QAbstractItemView", "QAbstractSlider")
+TOUCHED += ("QPlainTextEdit",)
+TYPED_INTO = ("QLineEdit", "QAbstractSpinBox", "QPlainTextEdit")
+OURS = "CNCStepper_"
+NOT_CHOSEN = tuple(f"{OURS}{name}" for name in ("Send", "Controller", "Help", "Install", "FirstSteps"))
+ORDERS = ("CNCStepper_Duplicate", "CNCStepper_MoveUp", "CNCStepper_MoveDown")
 LEFT_ALONE = ("_choose", "_file", "_import", "_help")  # buttons that open FreeCAD's dialogs of files, or a browser
 LAST = 60  # steps that a failure names
 MOST_UNDOS = 500
@@ -107,7 +113,7 @@ class Monkey:
 
     def _in_panel(self) -> None:
         chance = self._random.random()
-        spots = self._hand.main(spots_of, widgets_of_panel)
+        spots = self._hand.main(spots_of, widgets_of_ours)
         if chance < 0.04 or not spots:
             self.leave()
         elif chance < 0.2:
@@ -116,20 +122,51 @@ class Monkey:
             self._touch(self._random.choice(spots))
 
     def _in_tree(self) -> None:
-        if self._random.random() < 0.15:
+        chance, labels = self._random.random(), self._hand.main(labels_of_ours)
+        if chance < 0.15 or not labels:
             self._key(self._random.choice(("Ctrl+Z", "Ctrl+Shift+Z")))
+        elif chance < 0.3:
+            self._command()
+        elif chance < 0.45 and (spots := self._hand.main(spots_of, widgets_of_ours)):
+            self._touch(self._random.choice(spots))
+        elif chance < 0.55:
+            self._order(self._random.choice(labels))
+        else:
+            self._double_click(self._random.choice(labels))
+
+    def _command(self) -> None:
+        """Click a tool button of ours that can be clicked now."""
+        if spots := self._hand.main(spots_of, tool_buttons_of_ours):
+            self._click(self._random.choice(spots))
+
+    def _order(self, label: str) -> None:
+        """Select an object, and delete, duplicate or move it."""
+        act = self._random.choice(("Delete", *ORDERS))
+        self.done.append(f"click {label}, {act}")
+        if not self._row(label):
             return
-        labels = self._hand.main(labels_of_ours)
-        if not labels:
-            self._key("Ctrl+Z")
-            return
-        label = self._random.choice(labels)
+        if act == "Delete":
+            self._key("Delete")
+        elif self._hand.main(lambda: FreeCADGui.Command.get(act).isActive()):
+            self._hand.main(partial(FreeCADGui.runCommand, act))
+
+    def _double_click(self, label: str) -> None:
         self.done.append(f"double click {label}")
-        self._hand.tree(label, double=True)
+        self._row(label, double=True)
+
+    def _row(self, label: str, double: bool = False) -> bool:
+        """Click a row of the tree; return whether it is there: a panel of before may have opened in its place."""
+        try:
+            self._hand.tree(label, double=double)
+        except AssertionError:
+            if self._hand.main(state_of_window) == "tree":
+                raise
+            return False
+        return True
 
     def _touch(self, spot: Spot) -> None:
         self._click(spot)
-        if spot.kind in ("QLineEdit", "QAbstractSpinBox"):
+        if spot.kind in TYPED_INTO:
             self._key("Ctrl+A")
             text = self._random.choice(TYPED)
             self.done.append(f"type {text!r}")
@@ -168,21 +205,40 @@ def state_of_window() -> str:
 
 
 def labels_of_ours() -> list[str]:
-    """Return the labels of our objects of the document, in its order."""
+    """Return the labels of our objects that FreeCAD's tree shows, in the order of the document."""
     document = FreeCAD.ActiveDocument
-    return [obj.Label for obj in document.Objects if proxy_type(obj)] if document else []
+    labels = [obj.Label for obj in document.Objects if proxy_type(obj)] if document else []
+    return [label for label in labels if places.is_in_tree(label)]
 
 
-def widgets_of_panel() -> list[Any]:
-    """Return what can be touched of the open panel: its fields, its buttons, OK and Cancel."""
-    ours = [widget for widget in places.all_widgets() if widget.objectName().startswith("CNCStepper_Panel_")]
+def close_windows() -> None:
+    """Close the editors and dialogs of ours without a question; what was typed is lost."""
+    for dock in FreeCADGui.getMainWindow().findChildren(EditorDock):
+        dock.panel.edit.document().setModified(False)
+        dock.close()
+    for dialog in FreeCADGui.getMainWindow().findChildren(QtGui.QDialog):
+        if dialog.objectName().startswith(OURS):
+            dialog.deleteLater()  # hidden, it would ask when FreeCAD closes
+
+
+def widgets_of_ours() -> list[Any]:
+    """Return what can be touched of ours beside the toolbar: the open panel with OK and Cancel, docks, windows."""
+    ours = [widget for widget in places.all_widgets() if widget.objectName().startswith(OURS)]
     return [widget for widget in ours if not widget.objectName().endswith(LEFT_ALONE)]
+
+
+def tool_buttons_of_ours() -> list[Any]:
+    """Return the tool buttons of the commands that may be chosen."""
+    names = [name for name in FreeCADGui.Command.listAll() if name.startswith(OURS) and name not in NOT_CHOSEN]
+    actions = [action for name in names for action in FreeCADGui.Command.get(name).getAction()]
+    buttons = FreeCADGui.getMainWindow().findChildren(QtGui.QToolButton)
+    return [button for button in buttons if button.defaultAction() in actions]
 
 
 def widgets_of_dialog() -> list[Any]:
     """Return what can be touched of a modal dialog of ours; none of FreeCAD's."""
     dialog = QtGui.QApplication.activeModalWidget()
-    if dialog is None or not dialog.objectName().startswith("CNCStepper_") or dialog.inherits("QFileDialog"):
+    if dialog is None or not dialog.objectName().startswith(OURS) or dialog.inherits("QFileDialog"):
         return []
     return [widget for widget in dialog.findChildren(QtGui.QWidget) if not widget.objectName().endswith(LEFT_ALONE)]
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from typing import Any
 
 import FreeCAD
@@ -247,16 +248,24 @@ def _find_index(model: Any, parent: Any, label: str) -> Any:
 
 def of_tree_item(label: str, height: float = 0.5) -> Point:
     """Return the place of an object in FreeCAD's tree, by its label; height: of its row, from its top."""
-    for tree in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget):
-        if not (tree.isVisible() and tree.metaObject().className() == "Gui::TreeWidget"):
-            continue
-        items = tree.findItems(label, QtCore.Qt.MatchFlag.MatchExactly | QtCore.Qt.MatchFlag.MatchRecursive)
-        if items:
-            tree.scrollToItem(items[0])
-            rect = tree.visualItemRect(items[0])
-            on_text = min(rect.left() + 60, rect.right() - 6)  # not on the eye before it, which hides the object
-            return _on_screen(tree.viewport(), QtCore.QPoint(on_text, round(rect.top() + height * rect.height())))
+    for tree, item in _tree_items(label):
+        tree.scrollToItem(item)
+        rect = tree.visualItemRect(item)
+        on_text = min(rect.left() + 60, rect.right() - 6)  # not on the eye before it, which hides the object
+        return _on_screen(tree.viewport(), QtCore.QPoint(on_text, round(rect.top() + height * rect.height())))
     raise AssertionError(f"the tree shows no {label!r}")
+
+
+def is_in_tree(label: str) -> bool:
+    """Tell whether FreeCAD's tree has a row of an object, by its label."""
+    return next(_tree_items(label), None) is not None
+
+
+def _tree_items(label: str) -> Iterator[tuple[Any, Any]]:
+    for tree in FreeCADGui.getMainWindow().findChildren(QtGui.QTreeWidget):
+        if isValid(tree) and tree.isVisible() and tree.metaObject().className() == "Gui::TreeWidget":
+            items = tree.findItems(label, QtCore.Qt.MatchFlag.MatchExactly | QtCore.Qt.MatchFlag.MatchRecursive)
+            yield from ((tree, item) for item in items)
 
 
 def is_selected(label: str) -> bool:
