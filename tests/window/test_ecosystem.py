@@ -132,7 +132,7 @@ def test_a_macro_deletes_a_job_with_all_that_is_its_own(hand: Hand, tmp_path: Pa
 def delete(hand: Hand, label: str) -> None:
     """Delete an object of the tree by its key; FreeCAD's question what depends on it is answered with Yes."""
     hand.tree(label)
-    hand.key("Delete")
+    hand.shortcut("Std_Delete", "Delete")
     if hand.is_soon(lambda: QtGui.QApplication.activeModalWidget() is not None):
         hand.key("Alt+Y")
     hand.wait(lambda: label not in [obj.Label for obj in FreeCAD.ActiveDocument.Objects], 10, f"{label} to go")
