@@ -15,6 +15,7 @@ import pytest
 from PySide import QtGui
 
 from CNCStepper.workbench import api
+from CNCStepper.workbench.document import macro_recorder
 from window_helpers import macros, monkey_documents
 from window_helpers.hand import Hand
 
@@ -115,6 +116,23 @@ def test_a_macro_deletes_duplicates_moves_and_undoes(hand: Hand, tmp_path: Path)
     wanted = hand.main(macros.state, document)
     assert "CNCStepper_Thread.type" not in wanted and wanted["CNCStepper_Contour.Depth"] != "2.5"
     macros.run_on_copy(hand, text, copy, wanted)
+
+
+def test_an_undo_where_nothing_is_ours_is_written_by_freecad(hand: Hand, document: Any) -> None:
+    hand.main(macro_recorder.follow, document, "Ours")
+
+    def make_box() -> None:
+        other = FreeCAD.newDocument("Other")
+        other.UndoMode = 1
+        other.openTransaction("Box")
+        other.addObject("Part::Box", "Box")
+        other.commitTransaction()
+
+    hand.main(make_box)
+    path = macros.begin_recording(hand)
+    hand.undo()
+    text = macros.end_recording(hand, path)
+    assert "Std_Undo" in text and "CNCStepper" not in text
 
 
 def test_a_macro_deletes_a_job_with_all_that_is_its_own(hand: Hand, tmp_path: Path) -> None:

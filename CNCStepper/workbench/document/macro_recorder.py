@@ -36,12 +36,15 @@ _writing: list[bool] = []
 
 def follow(document: Any, name: str) -> None:
     """Collect what the transaction of a document changes that was opened just now."""
-    _recorder().steps[document.Name] = Step(name)
+    recorder = _recorder()
+    recorder.documents.add(document.Name)
+    recorder.steps[document.Name] = Step(name)
 
 
 def follow_deletion(document: Any) -> None:
     """Let FreeCAD's own deletion, which has begun, be one step of the macro; FreeCAD itself writes what it deletes."""
     if document.Name not in (recorder := _recorder()).deleting:
+        recorder.documents.add(document.Name)
         recorder.steps.pop(document.Name, None)
         recorder.deleting.add(document.Name)
         _write(["macro.begin('Delete')"])
@@ -90,10 +93,11 @@ class Step:
 class Recorder:
     """FreeCAD's observer of documents: follows the steps that are open.
 
-    steps: by the name of the document; deleting: of which documents FreeCAD is deleting objects.
+    documents: in which one was; steps: by the name of the document; deleting: where FreeCAD is deleting objects.
     """
 
     def __init__(self) -> None:
+        self.documents: set[str] = set()
         self.steps: dict[str, Step] = {}
         self.deleting: set[str] = set()
 
@@ -134,6 +138,7 @@ class Recorder:
     def slotDeletedDocument(self, document: Any) -> None:
         """FreeCAD calls this before a document goes."""
         self.steps.pop(document.Name, None)
+        self.documents.discard(document.Name)
         self.deleting.discard(document.Name)
 
     def _end_deletion(self, document: Any) -> None:
@@ -143,13 +148,16 @@ class Recorder:
 
     def slotUndoDocument(self, document: Any) -> None:
         """Write that a step was undone; FreeCAD would not where its undo has ended an open step, which is written."""
-        self.steps.pop(document.Name, None)  # what a step that is open has collected is the undo's
-        _write(["macro.undo()"])
+        self._write_going_back(document, "undo")
 
     def slotRedoDocument(self, document: Any) -> None:
         """Write that a step was done again."""
-        self.steps.pop(document.Name, None)
-        _write(["macro.redo()"])
+        self._write_going_back(document, "redo")
+
+    def _write_going_back(self, document: Any, way: str) -> None:
+        self.steps.pop(document.Name, None)  # what a step that is open has collected is that of the undo or redo
+        if document.Name in self.documents:  # in others FreeCAD's own line does
+            _write([f"macro.{way}()"])
 
     def slotCommitTransaction(self, document: Any) -> None:
         """Write what the transaction has done; FreeCAD calls this when it is kept."""
