@@ -293,7 +293,7 @@ def test_material_vanishes_while_it_plays_and_comes_back_the_same(hand: Hand, jo
     pictures: list[int] = []
     hand.main(task._material.shown.connect, lambda: pictures.append(1))
     hand.click("CNCStepper_Simulation_play")
-    hand.wait(lambda: len(pictures) > 20, 60)
+    hand.wait(lambda: len(pictures) > 20 and volume_mm3(drawn_tiles(task)) < volumes[0] - 10, 60)
     hand.click("CNCStepper_Simulation_play")
     ready(hand, task)
     assert volume_mm3(hand.main(drawn_tiles, task)) < volumes[0] - 10

@@ -16,6 +16,7 @@ try:
 except ImportError:
     from shiboken2 import isValid
 
+ARROW_PX = 8  # from the right end of a combo box to the middle of its arrow
 Point = tuple[float, float]
 
 
@@ -273,9 +274,20 @@ def is_selected(label: str) -> bool:
     return label in [chosen.Label for chosen in FreeCADGui.Selection.getSelection("*")]
 
 
+def is_selected_alone(label: str) -> bool:
+    """Tell whether an object with this label is all that is selected in FreeCAD."""
+    return {chosen.Label for chosen in FreeCADGui.Selection.getSelection("*")} == {label}
+
+
 def combo_list(target: Any) -> Any:
     """Return the list that a combo box opens."""
     return find(target).view()
+
+
+def list_arrow(target: Any) -> Point | None:
+    """Return where in a combo box a click opens the list: anywhere, or on the arrow of one that can be typed into."""
+    combo = find(target)
+    return (combo.width() - ARROW_PX, combo.height() // 2) if combo.isEditable() else None
 
 
 def view_widget() -> Any:
