@@ -259,6 +259,7 @@ class EventWatchdog(Watchdog):
         super().__init__(interface)
         self.blocks: list[Block] = []
         self._samples: list[Sample] = []
+        self._is_asked = False  # the tests' own work is going on, whatever events FreeCAD lets in meanwhile
 
     def __enter__(self) -> EventWatchdog:
         super().__enter__()
@@ -278,13 +279,17 @@ class EventWatchdog(Watchdog):
     def end_block(self) -> None:
         """End a block where the tests' own work begins."""
         self._tick()
+        self._is_asked = True
 
     def begin_block(self) -> None:
         """Begin a block behind the tests' own work."""
+        self._is_asked = False
         self._samples = []
         self._seen_s, self._cpu_s = time.perf_counter(), time.thread_time()
 
     def _tick(self) -> None:
+        if self._is_asked:
+            return
         samples, self._samples = self._samples, []
         cpu_ms = 1000 * (time.thread_time() - self._cpu_s)
         ours = [sample for sample in samples if sample] if cpu_ms > KEPT_MS else []
