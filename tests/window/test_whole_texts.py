@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""No text of a panel or dialog is cut, at 1280 × 720 with letters of 100 to 200 %.
+"""No text of a panel, dialog or dock is cut, at 1280 × 720 with letters of 100 to 200 %.
 
 Letters grow in place, and with them window, docks and dialogs, as on a screen with that many more pixels. All pixels
 that the product itself counts stay as they are: a text that no longer fits in them is found so.
@@ -18,10 +18,14 @@ import FreeCADGui
 import pytest
 from PySide import QtCore, QtGui
 from test_cycle_panels import unfold
+from test_dock import D, dock, own_sessions  # noqa: F401
+from test_editor import no_editor_stays  # noqa: F401
 from test_lathe import every_operation
+from test_simulation_view import job, no_restart  # noqa: F401
+from test_simulation_view import opened as simulation_of
 from test_typing import draw
 
-from CNCStepper.workbench import api, first_run, panels
+from CNCStepper.workbench import api, editor, first_run, panels, restart
 from CNCStepper.workbench.assistant import open_assistant
 from CNCStepper.workbench.comparison import open_comparison
 from CNCStepper.workbench.features.base import proxy_type
@@ -32,6 +36,7 @@ from CNCStepper.workbench.libraries import open_libraries
 from CNCStepper.workbench.machines import open_machines
 from CNCStepper.workbench.part_records import open_part_records
 from CNCStepper.workbench.preferences.job_preferences import JobPreferences
+from CNCStepper.workbench.services.translation import tr
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 from window_helpers.task_panels import PANEL
@@ -214,3 +219,67 @@ def test_no_dialog_cuts_a_text(hand: Hand, looks: None, sizes: Callable[[float],
         hand.main(sizes, 1.0)
         hand.main(window.resize, size)
     assert not found, "\n".join(found)
+
+
+def shown_area() -> Any:
+    """Return the area in which FreeCAD shows a task that has no OK of ours."""
+    names = ("CNCStepper_Simulation_panel", "CNCStepper_Restart_panel")
+    return places.area_around(next(each for each in places.all_widgets() if each.objectName() in names))
+
+
+def cut_at_sizes(hand: Hand, name: str, sizes: Callable[[float], None], cut: Callable[[], list[str]]) -> list[str]:
+    """Return what is cut at each size of the letters, by the name of what cuts it."""
+    found = []
+    for scale in SCALES:
+        hand.main(sizes, scale)
+        hand.settle()
+        found += [f"{name} {one}" for one in cut_at(hand, scale, cut)]
+    hand.main(sizes, 1.0)
+    hand.settle()
+    return found
+
+
+def test_simulation_and_restart_cut_no_text(
+    hand: Hand,
+    looks: None,
+    sizes: Callable[[float], None],
+    job: Any,  # noqa: F811
+) -> None:
+    simulation_of(hand, job)
+    found = cut_at_sizes(hand, "simulation", sizes, lambda: places.cut_texts(shown_area()))
+    hand.main(FreeCADGui.Control.closeDialog)
+    hand.main(restart.open_restart, job, no_restart)
+    hand.wait(lambda: places.find("CNCStepper_Restart_places").rows, 60, "the places")
+    found += cut_at_sizes(hand, "restart", sizes, lambda: places.cut_texts(shown_area()))
+    hand.main(FreeCADGui.Control.closeDialog)
+    assert not found, "\n".join(found)
+
+
+def test_the_dock_cuts_no_text(
+    hand: Hand,
+    looks: None,
+    sizes: Callable[[float], None],
+    dock: Any,  # noqa: F811
+    job: Any,  # noqa: F811
+) -> None:
+    cut = partial(places.cut_texts, dock)
+    found = cut_at_sizes(hand, "not connected", sizes, cut)
+    hand.choose(f"{D}Speed", hand.main(lambda: tr("{0}× speed").format(10)))
+    hand.click(f"{D}Connect")
+    hand.wait(lambda: hand.find(f"{D}State").text() == tr("Idle"), 60, "the controller")
+    found += cut_at_sizes(hand, "connected", sizes, cut)
+    hand.main(FreeCADGui.Selection.addSelection, job)
+    hand.command("CNCStepper_Send")
+    hand.wait(lambda: hand.exists(f"{D}ZeroAll") and tr("Work zero") in hand.text(f"{D}FlowTitle"), 60, "the work zero")
+    found += cut_at_sizes(hand, "work zero", sizes, cut)
+    assert not found, "\n".join(found)
+
+
+def test_the_editor_cuts_no_text(hand: Hand, looks: None, sizes: Callable[[float], None], tmp_path: Path) -> None:
+    path = tmp_path / "peça.nc"
+    path.write_text("G21 G90\nT1 M3 S9000\nG0 X0 Y0 Z5\nG1 Z-1 F200\nG1 X40 Y\nM2\n", encoding="utf-8")
+    panel = hand.main(editor.open_file, path).panel
+    hand.wait(lambda: panel.reader.mark > 0 and hand.exists("CNCStepper_Editor_refusals"), 60, "the refusal")
+    found = cut_at_sizes(hand, "editor", sizes, partial(places.cut_texts, panel))
+    assert not found, "\n".join(found)
+

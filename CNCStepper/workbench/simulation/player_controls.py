@@ -16,6 +16,7 @@ FINEST = 10_000  # steps of the slider over time
 FASTEST = 100.0
 SPEED_STEPS = 100  # of the speed's slider, from 1 to FASTEST, each the same factor
 ICON = "CNCStepper_Player_"
+ICON_PX, BETWEEN_PX = 18, 2  # of a button: a dark theme makes it wide
 BUTTONS = (
     ("start", "ToStart", later("To the begin")),
     ("back", "StepBack", later("One step back")),
@@ -56,6 +57,7 @@ class Controls(QtGui.QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._place)
         row = QtGui.QHBoxLayout()
+        row.setSpacing(BETWEEN_PX)
         for button in self._buttons.values():
             row.addWidget(button)
         row.addStretch(1)
@@ -89,7 +91,7 @@ class Controls(QtGui.QWidget):
         button = QtGui.QToolButton()
         button.setObjectName(f"CNCStepper_Simulation_{name}")
         button.setIcon(icon_named(f"{ICON}{icon}"))
-        button.setIconSize(QtCore.QSize(20, 20))
+        button.setIconSize(QtCore.QSize(ICON_PX, ICON_PX))
         button.setToolTip(tr(text))
         button.setAccessibleName(tr(text))
         return button
