@@ -52,6 +52,7 @@ def assistant(hand: Hand, request: pytest.FixtureRequest) -> Iterator[Any]:
         if dock:
             dock.widget().link.leave()
             dock.widget().refresh()
+            dock.widget().connection.look_for_machines(settings.MACHINE)
             dock.close()
         settings.remember_machine(settings.MACHINE)
         for name in list(FreeCAD.listDocuments()):
