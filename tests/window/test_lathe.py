@@ -19,10 +19,10 @@ from CNCStepper.workbench.document import program_file
 from CNCStepper.workbench.document.turning import turning_defaults
 from CNCStepper.workbench.features.base import problem_of, proxy_type
 from CNCStepper.workbench.features.turning.turning_operation import TURNING_OPERATIONS
-from CNCStepper.workbench.report import job_report
 from CNCStepper.workbench.services.view_fit import look_at_lathe, show_all
 from helpers.freecad.half_profiles import POINTS, edges, shaft, sketch
 from window_helpers import screen_places as places
+from window_helpers.file_dialogs import report_of
 from window_helpers.hand import Hand
 from window_helpers.task_panels import PANEL, accept, begin
 
@@ -109,15 +109,7 @@ def every_other_command(hand: Hand, job: Any) -> None:
 
 def report_is_written(hand: Hand, file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Report… of the menu writes operations with tool and time, the half section with the bar, and the program."""
-    shown: list[str] = []
-    monkeypatch.setattr(job_report, "show", shown.append)  # no reader is opened
-    hand.menu("CNCStepper", "Report…")
-    hand.wait(lambda: places.visible("CNCStepper_Report_file"), 10, "the file dialog")
-    dialog = hand.find("CNCStepper_Report_file")
-    hand.main(lambda: dialog.findChild(QtGui.QLineEdit).setText(str(file)))
-    hand.key("Return")
-    hand.wait(lambda: shown == [str(file)], 180, "the report")
-    page = file.read_text("utf-8")
+    page = report_of(hand, file, monkeypatch)
     for words in ("Ø 40 × 91 mm", "T1 CNMG 120408", "Roughing · T1 · ", "<!-- Z (mm) -->", "<!-- stock -->", "M02"):
         assert words in page, words
 

@@ -282,4 +282,3 @@ def test_the_editor_cuts_no_text(hand: Hand, looks: None, sizes: Callable[[float
     hand.wait(lambda: panel.reader.mark > 0 and hand.exists("CNCStepper_Editor_refusals"), 60, "the refusal")
     found = cut_at_sizes(hand, "editor", sizes, partial(places.cut_texts, panel))
     assert not found, "\n".join(found)
-

@@ -5,8 +5,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from PySide import QtGui
 
+from CNCStepper.workbench.report import job_report
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
@@ -19,3 +21,13 @@ def choose_file(hand: Hand, dialog: str, path: Path) -> None:
     hand.click(line)
     hand.key("Return")
     hand.wait(lambda: not places.visible(dialog), 10, f"{dialog} to close")
+
+
+def report_of(hand: Hand, file: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    """Let Report… of the menu write the selected job's page to an HTML file, which no reader opens; return its text."""
+    shown: list[str] = []
+    monkeypatch.setattr(job_report, "show", shown.append)
+    hand.menu("CNCStepper", "Report…")
+    choose_file(hand, "CNCStepper_Report_file", file)
+    hand.wait(lambda: shown == [str(file)], 180, "the report")
+    return file.read_text("utf-8")

@@ -280,7 +280,7 @@ class Hand:
             self._click_place(self._place(places.of_tree_item, label), double=double, modifiers=modifiers)
             if double or self.is_soon(chosen, label):
                 return
-            print(f"{label} in the tree did not see the click", flush=True)
+            print(f"{label} in the tree did not see the click: {self.main(places.selected)} are selected", flush=True)
         raise AssertionError(f"{label} in the tree does not see clicks; {self.describe()}")
 
     def drag_in_tree(

@@ -269,14 +269,19 @@ def _tree_items(label: str) -> Iterator[tuple[Any, Any]]:
             yield from ((tree, item) for item in items)
 
 
+def selected() -> list[str]:
+    """Return the labels of what is selected in FreeCAD."""
+    return [chosen.Label for chosen in FreeCADGui.Selection.getSelection("*")]
+
+
 def is_selected(label: str) -> bool:
     """Tell whether FreeCAD has an object with this label among what is selected."""
-    return label in [chosen.Label for chosen in FreeCADGui.Selection.getSelection("*")]
+    return label in selected()
 
 
 def is_selected_alone(label: str) -> bool:
     """Tell whether an object with this label is all that is selected in FreeCAD."""
-    return {chosen.Label for chosen in FreeCADGui.Selection.getSelection("*")} == {label}
+    return set(selected()) == {label}
 
 
 def combo_list(target: Any) -> Any:
