@@ -132,7 +132,7 @@ def show_page(window: Any, number: int) -> None:
 def left_dock() -> Any:
     """Return the dock in which FreeCAD shows the tree and the panels."""
     docks = FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget)
-    return next(dock for dock in docks if dock.isVisible() and dock.objectName() in ("Combo View", "Model", "Tasks"))
+    return next(each for each in docks if each.isVisible() and each.objectName() in ("Combo View", "Model", "Tasks"))
 
 
 def grown(font: Any, scale: float) -> Any:
@@ -167,14 +167,14 @@ def sizes(hand: Hand) -> Iterator[Callable[[float], None]]:
     font = hand.main(lambda: QtGui.QFont(application.font()))
     hand.main(lambda: (window.showNormal(), window.resize(*SMALL_SCREEN)))
     hand.wait(lambda: window.width() <= SMALL_SCREEN[0], 10, "the small window")
-    dock = hand.main(left_dock)
-    width, height = hand.main(dock.width), hand.main(lambda: window.fontMetrics().height())
+    left = hand.main(left_dock)
+    width, height = hand.main(left.width), hand.main(lambda: window.fontMetrics().height())
 
     def grow(scale: float) -> None:
         application.setFont(grown(font, scale))
         window.resize(*(round(scale * side) for side in SMALL_SCREEN))
         assert window.fontMetrics().height() >= round(0.9 * scale * height)
-        window.resizeDocks([dock], [round(scale * width)], QtCore.Qt.Orientation.Horizontal)
+        window.resizeDocks([left], [round(scale * width)], QtCore.Qt.Orientation.Horizontal)
 
     yield grow
     hand.main(lambda: (grow(1.0), window.showMaximized()))
