@@ -18,6 +18,7 @@ from test_road import DOCK, own_sessions, step  # noqa: F401
 
 from CNCStepper.workbench.services.translation import tr
 from window_helpers import screen_places as places
+from window_helpers.docks import one_run
 from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
 
@@ -141,10 +142,8 @@ def measure(hand: Hand) -> None:
     hand.fill(f"{A}_feed", "800")
     for button in ("to_start", "move"):
         hand.wait(lambda: not dialog().bench.why_not(), 20, "the machine")
-        hand.click(f"{A}_{button}")
-        hand.wait(lambda: dialog().bench.is_busy, 5, "it moves")
-        hand.wait(lambda: not dialog().bench.why_not() or dialog().bench.trouble, 30, "it is there")
-        assert hand.main(lambda: dialog().bench.trouble) == ""
+        with one_run(hand, hand.main(lambda: dialog().bench)):
+            hand.click(f"{A}_{button}")
     hand.fill(f"{A}_measured", "9.9")
     hand.click(f"{A}_correct")
     hand.wait(lambda: places.visible("CNCStepper_Tell_yes"), what="the question")

@@ -17,6 +17,7 @@ from CNCStepper.machine.profile import load_machine
 from CNCStepper.workbench.dock.model.port_choices import VIRTUAL
 from CNCStepper.workbench.machines.port_levels import levels_of
 from window_helpers import screen_places as places
+from window_helpers.docks import one_run
 from window_helpers.hand import Hand
 
 M, T, D = "CNCStepper_Machines", "CNCStepper_MachineTest", "CNCStepper_Dock_"
@@ -132,11 +133,9 @@ def test_a_measured_travel_corrects_the_profile(hand: Hand, bench: Any) -> None:
     test = bench.test
     put(hand, travel_axis="Y", length="10", feed="3000")
     for measured in ("9.9", "9.91", "9.89"):
-        press(hand, "start")
-        rests(hand, test)
-        press(hand, "along")
-        hand.wait(lambda: test.bench.is_busy, 5, "it begins")
-        rests(hand, test)
+        for button in ("start", "along"):
+            with one_run(hand, test.bench):
+                press(hand, button)
         put(hand, measured=measured)
         press(hand, "reading")
         hand.settle()
@@ -153,9 +152,8 @@ def test_backlash_and_squareness(hand: Hand, bench: Any) -> None:
     put(hand, feed="3000", play_axis="Y", distance="2")
     began = hand.main(mpos, test)
     for side, value in (("below", "0.02"), ("above", "0.12")):
-        press(hand, side)
-        hand.wait(lambda: test.bench.is_busy, 5, "it begins")
-        rests(hand, test)
+        with one_run(hand, test.bench):
+            press(hand, side)
         put(hand, dial=value)
         press(hand, f"dial_{side}")
     assert "backlash 0.1 mm" in hand.text(f"{T}_play_words")

@@ -34,3 +34,15 @@ def opened_dock(hand: Hand, at_end: Callable[[Any], None]) -> Iterator[Any]:
         shown.close()
 
     hand.main(end)
+
+
+@contextmanager
+def one_run(hand: Hand, bench: Any) -> Iterator[None]:
+    """Let a machine test be started inside, and wait until all its lines are answered and the machine stands.
+
+    At ten times its speed the machine may be there before anybody looks whether it moves.
+    """
+    before = hand.main(lambda: bench.answered)
+    yield
+    hand.wait(lambda: bench.trouble or (bench.answered is not before and not bench.why_not()), 30, "the test's end")
+    assert hand.main(lambda: bench.trouble) == ""
