@@ -18,6 +18,12 @@ LABEL = re.compile(r"(?<!\*)\*([^*\n]+(?:\n[^*\n]+)?)\*")
 FILE = re.compile(r"`(examples/[^`]+)`")
 STEP = re.compile(r"^\d+\. ", re.MULTILINE)
 LEAST_STEPS = 4
+LESSONS = {  # the warnings of which the sections speak
+    "sign": {"not-exact"},
+    "plate": {"not-exact", "below-stock"},
+    "lathe-shaft": {"operation-3"},
+    "lathe-thread": {"operation-2", "operation-4"},
+}
 
 
 def sections(language: str) -> dict[str, str]:
@@ -32,6 +38,7 @@ def sections(language: str) -> dict[str, str]:
 def test_a_worked_part_is_made_checked_and_takes_the_time_that_its_section_says(name: str) -> None:
     part = worked_parts.work(name)
     assert [finding for finding in part.findings if finding.severity == "error"] == []
+    assert {finding.code for finding in part.findings if finding.severity == "warning"} == LESSONS.get(name, set())
     said = duration_text(part.time_s) if part.time_s >= 60 else f"{part.time_s:.0f} s"
     for language in manual.CATALOGUES:
         assert f": {said}" in sections(language)[name], language

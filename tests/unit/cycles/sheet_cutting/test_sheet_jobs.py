@@ -34,8 +34,9 @@ def curves_of(drawing: Path) -> list[Curve]:
 
 
 def job_with(folder: Path, drawing: Path, size_mm: str) -> Path:
-    """Return the example with another drawing and sheet."""
+    """Return the example with another drawing and sheet, the drawing where it is drawn."""
     text = re.sub(r"size_mm = \[.*\]", f"size_mm = {size_mm}", EXAMPLE.read_text())
+    text = re.sub(r"offset_mm = .*\n", "", text)
     text = re.sub(r"dxf = \{.*\}", f'dxf = {{ file = "{drawing.as_posix()}", layer = "CUT" }}', text)
     path = folder / "job.toml"
     path.write_text(text)
@@ -60,10 +61,10 @@ def test_the_gasket_is_cut_holes_first_with_power_only_in_the_cut() -> None:
     found = made(EXAMPLE)
     check_words(found.program)
     answer = found.answers[0]
-    kerf_mm, curves = answer.figures["kerf_mm"], curves_of(GASKET)
+    kerf_mm, curves = answer.figures["kerf_mm"], [curve.moved(15.0, 15.0) for curve in curves_of(GASKET)]
     assert len(strokes(found.toolpath)) == len(curves) == 7
     assert [span.name for span in found.toolpath.spans if span.kind == "contour"][-1].startswith("part")
-    sheet = rectangle((-30.0, -30.0), (230.0, 150.0))  # the drawing lies in the sheet's corner
+    sheet = rectangle((0.0, 0.0), (230.0, 150.0))
     delay_s = strokes(found.toolpath)[0].dwell_s
     assert delay_s > 0 and faults(found.toolpath, curves, sheet, kerf_mm, 2.0, delay_s) == []
 
