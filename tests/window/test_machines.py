@@ -158,6 +158,8 @@ def give(hand: Hand, editor: Any, text: Callable[[], str]) -> None:
         hand.wait(lambda: text() == editor.itemData(other) != before, 5, editor.objectName())
     elif isinstance(editor, QtGui.QLineEdit):
         hand.tap(editor)
+        if not hand.is_soon(editor.hasFocus):  # a note of the last field has moved it
+            hand.click(editor)
         hand.keyboard.write("7")
         hand.wait(lambda: text() == editor.text() != before and "7" in text(), 5, editor.objectName())
     else:

@@ -105,7 +105,7 @@ def test_a_contour_is_chosen_from_the_list_and_the_rest_is_cut(hand: Hand, dock:
 
 def test_a_place_is_clicked_in_the_picture_or_typed_as_a_line(hand: Hand, dock: Any, job: Any) -> None:  # noqa: F811
     opened(hand)
-    cut_mm = hand.main(lambda: tuple(job.WorkOrigin + FreeCAD.Vector(-25 + 9, 0, -2)))  # where the cutter's middle goes
+    cut_mm = hand.main(lambda: tuple(job.WorkOrigin + FreeCAD.Vector(-25 - 9, 0, -2)))  # where the cutter's middle goes
     hand.click_view(hand.view_point(*cut_mm))
     hand.wait(lambda: hand.text(f"{R}choice").startswith("From the place that was clicked"), 10, "the click")
     proven(hand)
