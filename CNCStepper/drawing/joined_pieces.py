@@ -43,7 +43,7 @@ def joined_pieces(
         gaps += [(layer, gap) for gap in nearly]
         share((number + 1) / len(together))
     numbers = np.concatenate(firsts)
-    order = np.argsort(numbers)
+    order = np.argsort(numbers, kind="stable")
     bundle = bundles_joined(bundles)
     bundles.clear()  # no two copies of them are there at once
     return columns.where(numbers[order], bundle if len(together) == 1 else bundle.taken(order)), tuple(gaps)

@@ -79,7 +79,7 @@ def joined_bundle(
     entered = np.concatenate([2 * whole, 2 * loose[entered // 2] + entered % 2])
     lengths = np.concatenate([np.ones(len(whole), int), lengths])
     first = np.minimum.reduceat(entered, np.cumsum(lengths) - lengths) // 2
-    order = np.argsort(first)
+    order = np.argsort(first, kind="stable")
     snapped = np.concatenate([np.zeros(len(whole), bool), ends_met])
     if len(whole):  # else they are in order
         entered = entered[runs((np.cumsum(lengths) - lengths)[order], lengths[order])]

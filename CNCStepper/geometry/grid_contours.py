@@ -46,7 +46,7 @@ def contours_of(values: np.ndarray, level: float) -> list[np.ndarray]:
     if not parts:
         return []
     first, last, points = (np.concatenate(column) for column in zip(*parts, strict=True))
-    order = np.argsort(first)
+    order = np.argsort(first, kind="stable")
     following = np.searchsorted(first[order], last[order])
     walk, ends = loops_of(following)
     places = points[order][walk]

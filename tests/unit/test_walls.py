@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import subprocess
 import sys
@@ -343,3 +344,25 @@ def test_no_folder_has_too_many_modules() -> None:
     counts = Counter(path.parent for path in PACKAGE.rglob("*.py") if path.name != "__init__.py")
     assert counts
     assert not {str(folder): count for folder, count in counts.items() if count > MOST_MODULES}
+
+
+def unstable_sorts(source: str) -> list[int]:
+    """Return the lines that call argsort without a stable kind: numpy's own order of ties depends on the processor."""
+    calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
+    return [call.lineno for call in calls if ast.unparse(call.func).endswith("argsort") and not _is_stable(call)]
+
+
+def _is_stable(call: ast.Call) -> bool:
+    """Return whether a call names a stable sort; numba knows one as mergesort only."""
+    kinds = {ast.unparse(keyword.value) for keyword in call.keywords if keyword.arg in ("kind", "stable")}
+    return bool(kinds & {"'stable'", "'mergesort'", "True"})
+
+
+def test_every_machine_sorts_ties_alike() -> None:
+    found = {module: unstable_sorts(path.read_text("utf-8")) for module, path in modules().items()}
+    assert not {module: lines for module, lines in found.items() if lines}
+
+
+@pytest.mark.parametrize("call", ["np.argsort(a)", "a.argsort()", "np.argsort(-a, kind='quicksort')[::-1].tolist()"])
+def test_a_planted_unstable_sort_is_found(call: str) -> None:
+    assert unstable_sorts(f"def f(a):\n    return {call}") == [2]

@@ -134,7 +134,7 @@ def _reliefs(path: Curve, corners: Sequence[Corner], near_mm: float) -> dict[flo
         return {}
     off_mm, lengths = path.nearest(np.array([corner.place for corner in far]))
     found, last_mm = {}, 0.0
-    for index in np.argsort(lengths).tolist():
+    for index in np.argsort(lengths, kind="stable").tolist():
         if off_mm[index] <= near_mm and last_mm + APART_MM < lengths[index] < path.length_mm - APART_MM:
             last_mm = float(lengths[index])
             found[last_mm] = far[index].relief

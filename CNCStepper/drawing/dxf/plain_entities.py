@@ -382,7 +382,7 @@ class _Entities:
         arcs = _arcs(numbers, np.column_stack([x, y]), np.abs(self._column(40)), first, sweep)
         found = [(lines, straight), *arcs, self._polylines(np.flatnonzero(ordinary & (self._kinds == POLYLINE)))]
         mixed = np.concatenate([own for own, _ in found])
-        order = np.argsort(mixed)
+        order = np.argsort(mixed, kind="stable")
         return mixed[order], bundles_joined([bundle for own, bundle in found if len(own)]).taken(order)
 
 

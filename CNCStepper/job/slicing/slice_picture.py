@@ -84,7 +84,7 @@ def _add_wall(
     normals = np.column_stack([edges[:, 1], -edges[:, 0]]) / np.maximum(np.hypot(*edges.T), 1e-12)[:, None]
     lit = DARKEST + (0.9 - DARKEST) * np.clip(0.5 + 0.5 * (normals @ LIGHT), 0.0, 1.0)
     away = -(ring[:-1] + ring[1:]) @ CAMERA
-    seen = [number for number in np.argsort(-away).tolist() if normals[number] @ CAMERA > 0.0]
+    seen = [number for number in np.argsort(-away, kind="stable").tolist() if normals[number] @ CAMERA > 0.0]
     for number in seen:
         (x1, y1), (x2, y2) = ring[number], ring[number + 1]
         low, high = begin_mm, begin_mm + thickness_mm

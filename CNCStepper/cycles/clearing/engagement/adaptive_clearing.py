@@ -228,7 +228,7 @@ class Plan:
     def _too_much(self, wall: Curve, chart: ClearingMap) -> np.ndarray:
         """Cut along a wall and return where the rim met more than the bound, float64[n, 2], the worst place first."""
         points, angles = self._followed(wall, chart, 1.0)
-        worst_first = np.argsort(-angles)
+        worst_first = np.argsort(-angles, kind="stable")
         return points[1:][worst_first[np.degrees(angles[worst_first]) > self.max_deg + MARGIN_DEG]]
 
     def _followed(self, curve: Curve, chart: ClearingMap, share: float) -> tuple[np.ndarray, np.ndarray]:
