@@ -65,7 +65,7 @@ class Segments:
             begin[nowhere, other] = end[nowhere, other] = 0.0
         return Segments(begin, end, self.row).known()
 
-    def level_where_unknown(self) -> Segments:
+    def known_in_x(self) -> Segments:
         """Return those known in X; Y and Z count as 0 where they are known at neither end.
 
         A lathe has no Y, and a table without Z no height.

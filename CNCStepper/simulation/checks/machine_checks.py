@@ -126,7 +126,7 @@ def _fastest_mm_min(subject: CheckContext) -> np.ndarray:
     """Return the speed of each axis at the programmed feed on every row, float64[n, 3]; 0 on rapids."""
     fastest = np.zeros((len(subject.table), 3))
     for chords in segments_of_chunks(subject.toolpath, DIRECTION_TOLERANCE_MM):
-        path = chords.level_where_unknown()
+        path = chords.known_in_x()
         path = path[subject.is_feed[path.row]]
         delta, length = np.abs(path.end - path.begin), path.length_mm
         share = delta / np.where(length > 0, length, 1.0)[:, None]

@@ -257,7 +257,7 @@ class _Lengths:
         self.plunging, self.end = _plunging(toolpath), tips_mm(toolpath)[1]
         self.whole, self.below = (np.zeros(len(toolpath)) for _ in range(2))
         for chords in segments_of_chunks(toolpath, LENGTH_TOLERANCE_MM):
-            path = chords.level_where_unknown()
+            path = chords.known_in_x()
             below = clipped_below(path, 0.0)
             _add(self.whole, path)
             _add(self.below, below[below.low_mm < 0.0])

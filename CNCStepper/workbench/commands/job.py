@@ -41,7 +41,7 @@ def _job(document: Any) -> Any:
 
     around = _around()
     job = labelled(api.new_job(document, **preferred_values.of_new_job(), **_stock(around)), tr("Job"))
-    job.Proxy.made_round = around
+    job.Proxy.around = around
     api.add_tool(job, **default_values.tool(job))
     for preview in previews(job):
         labelled(preview, tr("Preview"))

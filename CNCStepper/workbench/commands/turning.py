@@ -14,6 +14,7 @@ from CNCStepper.workbench.services import missing_packages
 from CNCStepper.workbench.services.command import Command
 from CNCStepper.workbench.services.translation import QT_TRANSLATE_NOOP, later, tr
 from CNCStepper.workbench.services.view_fit import look_at_lathe, show_all
+from CNCStepper.workbench.templates.around import Around
 
 
 class NewLatheJob(Command):
@@ -42,7 +43,7 @@ def _job(document: Any) -> Any:
     from CNCStepper.workbench.viewproviders.job import previews
 
     job = labelled(api.new_lathe_job(document), tr("Lathe job"))
-    job.Proxy.is_new = True
+    job.Proxy.around = Around()
     labelled(api.add_tool(job), tr("Tool"))
     for preview in previews(job):
         labelled(preview, tr("Preview"))

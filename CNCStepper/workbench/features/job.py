@@ -62,7 +62,6 @@ class Job(ProgramJob):
         self.show_what_counts(obj)
 
     Type = "CNCStepper_Job"
-    made_round: Any = None  # what a new job was made round, until its panel opens (`workbench/templates/around.py`)
     TOOL = "CNCStepper_Tool"
     PROPERTIES = (
         machine_property("table-a"),

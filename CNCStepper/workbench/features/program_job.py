@@ -66,11 +66,17 @@ class ProgramJob(Feature):
     """The proxy of a job; `Operations` are cut in their order. TOOL: the type of its tools."""
 
     TOOL = ""
+    around: Any = None  # of a new job until its panel opens: its `workbench/templates/around.py`
 
     def add_properties(self, obj: Any) -> None:
         """Add what `obj` lacks, and see that its program follows every undo."""
         super().add_properties(obj)
         follow()
+
+    def take_around(self) -> Any:
+        """Return what a new job's stock is made round, once; None for a job that is not new."""
+        around, self.around = self.around, None
+        return around
 
     def question(self, obj: Any) -> dict[str, Any] | None:
         """Return what the cut process is asked for the programs; None while there are no operations."""

@@ -75,8 +75,7 @@ class JobPanel(ProgramJobPanel):
         self.process = job.Process  # for which the tool's editor was made
         self.material = job.Material  # for which the tools have their feeds
         super().__init__(job, KINDS, FOLDED, HIDDEN)
-        around, job.Proxy.made_round = job.Proxy.made_round, None
-        if around is not None:
+        if (around := job.Proxy.take_around()) is not None:
             self.offer_beginnings(JobBeginning(job, around), choices())
 
     def add_own_parts(self) -> None:

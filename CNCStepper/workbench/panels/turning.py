@@ -82,8 +82,7 @@ class LatheJobPanel(ProgramJobPanel):
     def __init__(self, job: Any):
         kinds = {"machine": LatheMachineField, "dialect": DialectField, "material": TurnedMaterialField}
         super().__init__(job, kinds, FOLDED, HIDDEN)
-        is_new, job.Proxy.is_new = job.Proxy.is_new, False
-        if is_new:
+        if job.Proxy.take_around() is not None:
             self.offer_beginnings(TurningBeginning(job), choices())
 
     def tool_form(self, tool: Any) -> Editor:

@@ -55,7 +55,6 @@ class LatheJob(ProgramJob):
     Type = "CNCStepper_LatheJob"
     TOOL = TurningTool.Type
     JOB_TYPE = LATHE_JOB
-    is_new = False  # from the command that makes it until its panel opens
     PROPERTIES = (
         machine_property("mini-lathe"),
         Property("process", "Process", ENUMERATION, MACHINE, later("Process"),
