@@ -20,9 +20,7 @@ import numpy as np
 import shapely
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch, Rectangle
 from matplotlib.path import Path as Outline
 from matplotlib.ticker import FuncFormatter, MaxNLocator
@@ -30,17 +28,18 @@ from shapely.geometry.base import BaseGeometry
 
 from CNCStepper.job.comparison.turned_difference import ComparedSections, gone_only
 from CNCStepper.job.comparison.turned_picture_words import TURNED_WORDS
-from CNCStepper.simulation.comparison.path_overlay import Judged, PathComparison
+from CNCStepper.simulation.comparison.path_overlay import PathComparison
 from CNCStepper.simulation.tip_segments import Segments, chains
 from CNCStepper.simulation.views.comparison_picture import (
     COLOURS,
-    DASHES,
     FINEST,
+    LEGEND,
     LONGEST,
-    ORDER,
-    RAPID_DASHES,
-    RAPID_WIDTH,
-    WIDTHS,
+    draw_paths,
+    mark,
+    mark_entry,
+    path_corners,
+    path_entries,
 )
 from CNCStepper.simulation.views.path_lines import LATHE
 from CNCStepper.simulation.views.picture_style import (
@@ -68,7 +67,6 @@ SEEN_DEPTHS = 8.0  # the enlarged view is so many times as high as the largest d
 SHADE = 0.55
 HATCHES = {"first": "////", "second": "\\\\\\\\"}
 OUTLINES: dict[str, Any] = {"first": {"lw": 1.4, "ls": "-"}, "second": {"lw": 1.2, "ls": (0, (5, 1.5))}}
-LEGEND: dict[str, Any] = {"ncols": 3, "frameon": False, "fontsize": 10.5, "columnspacing": 1.6, "handlelength": 3.2}
 Box = tuple[float, float, float, float]  # z and radius from, then to
 
 
@@ -98,8 +96,9 @@ def save_turned_comparison(
         _enlarge(figure, section, right, turned, words)
     _legend(figure, bottom - LABELS_INCH, _of_parts(turned, names, words))
     paths = _axes(figure, (LEFT_INCH, below, INSIDE_INCH, heights[1]), path_box)
-    _paths(paths, found, path_box)
-    _legend(figure, LEGEND_INCH, _of_paths(found, names, words))
+    finest_mm = max(path_box[2] - path_box[0], path_box[3] - path_box[1]) / FINEST
+    draw_paths(paths, found, LATHE, lambda pieces: _drawn(pieces, finest_mm))
+    _legend(figure, LEGEND_INCH, path_entries(found, names, words))
     save_figure(figure, file)
 
 
@@ -114,9 +113,7 @@ def _box(turned: ComparedSections) -> Box:
 
 def _box_of_paths(found: PathComparison) -> Box:
     """Return what both paths need, with a margin; a millimetre where there is nothing."""
-    ends = [each for judged in (found.first, found.second) for each in (judged.pieces.begin, judged.pieces.end)]
-    points = np.vstack([*ends, np.zeros((0 if sum(map(len, ends)) else 1, 3))])[:, list(LATHE)]
-    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = path_corners(found)[:, list(LATHE)]
     margin = MARGIN * max(float((high - low).max()), 1.0)
     return (*(low - margin).tolist(), *(high + margin).tolist())
 
@@ -181,33 +178,9 @@ def _enlarge(
     inch_a_mm = height / np.ptp(section.get_ylim())
     text = words["enlarged"].format(times=height / (2 * up) / inch_a_mm)
     near.set_title(text, fontsize=10.5, color=GREY, loc="left")
-    section.plot(z, radius, "o", ms=16, mfc="none", mec=INK, mew=1.6, zorder=8)
+    mark(section, z, radius)
     frame = Rectangle((z - along, radius - up), 2 * along, 2 * up, fill=False, ec=INK, lw=0.7, zorder=7)
     section.add_patch(frame)
-
-
-def _paths(axes: Axes, found: PathComparison, box: Box) -> None:
-    """Draw both paths, and mark their largest deviation."""
-    finest_mm = max(box[2] - box[0], box[3] - box[1]) / FINEST
-    for name, judged, common in (
-        ("common", found.first, True),
-        ("first", found.first, False),
-        ("second", found.second, False),
-    ):
-        for lines, style in _lines_of(judged, common, name, finest_mm):
-            axes.add_collection(LineCollection(lines, colors=COLOURS[name], zorder=2 + ORDER.index(name), **style))
-    if found.deviation is not None:
-        place = np.array(found.deviation.place_mm)[list(LATHE)]
-        axes.plot(*place, "o", ms=16, mfc="none", mec=INK, mew=1.6, zorder=8)
-
-
-def _lines_of(
-    judged: Judged, common: bool, name: str, finest_mm: float
-) -> Iterator[tuple[list[np.ndarray], dict[str, Any]]]:
-    """Yield the lines of the rapids and of the cuts, with their style."""
-    for cuts, width, dashes in ((False, RAPID_WIDTH, RAPID_DASHES), (True, WIDTHS[name], DASHES[name])):
-        lines = list(_drawn(judged.chosen(cuts, common), finest_mm))
-        yield lines, {"linewidths": width, "linestyles": [dashes]}
 
 
 def _drawn(pieces: Segments, finest_mm: float) -> Iterator[np.ndarray]:
@@ -226,23 +199,7 @@ def _of_parts(turned: ComparedSections, names: tuple[str, str], words: Mapping[s
     yield Patch(fc=SHADES["part"], ec=INK, lw=0.6, label=words["left"])
     yield Patch(fc=SHADES["raw"], ec=GREY, ls="--", lw=0.8, label=words["bar"])
     if turned.rings:
-        yield _circle(words["deepest"].format(distance=turned.rings[0].depth_mm))
-
-
-def _of_paths(found: PathComparison, names: tuple[str, str], words: Mapping[str, str]) -> Iterator[Artist]:
-    """Yield the entries of the legend of the paths, with the length of cut that each has alone."""
-    texts = {"common": words["common"]}
-    for key, name, judged in zip(("first", "second"), names, (found.first, found.second), strict=True):
-        texts[key] = f"{words[key].format(name=name)}: {judged.length_mm(True, False):.2f} mm"
-    for key in ORDER:
-        yield Line2D([], [], color=COLOURS[key], lw=WIDTHS[key], ls=DASHES[key], label=texts[key])
-    yield Line2D([], [], color=INK, lw=RAPID_WIDTH * 1.4, ls=RAPID_DASHES, label=words["rapid"])
-    if found.deviation is not None:
-        yield _circle(words["deviation"].format(distance=found.deviation.distance_mm))
-
-
-def _circle(text: str) -> Line2D:
-    return Line2D([], [], ls="", marker="o", ms=10, mfc="none", mec=INK, label=text)
+        yield mark_entry(words["deepest"].format(distance=turned.rings[0].depth_mm))
 
 
 def _legend(figure: Figure, top_inch: float, entries: Iterable[Artist]) -> None:

@@ -7,7 +7,7 @@ The colours are told apart by the colour-blind, and the lines by width and dashe
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -34,6 +34,7 @@ MARGIN = 0.04
 FINEST = 4000  # points nearer than that share of the view are drawn as one
 LONGEST = 5000  # points of a drawn line
 SIDE = (0, 2)
+LEGEND: dict[str, Any] = {"ncols": 3, "frameon": False, "fontsize": 10.5, "columnspacing": 1.6, "handlelength": 3.2}
 
 
 def save_comparison(
@@ -47,7 +48,7 @@ def save_comparison(
 
     Raises JobError for another ending.
     """
-    box = _box(found)
+    box = path_corners(found)
     seen = _plane(box)
     views = [seen] if seen == LATHE or box[1, 2] - box[0, 2] <= 0 else [seen, SIDE]
     figure, axes = _paper(box, views)
@@ -58,7 +59,7 @@ def save_comparison(
     save_figure(figure, file)
 
 
-def _box(found: PathComparison) -> np.ndarray:
+def path_corners(found: PathComparison) -> np.ndarray:
     """Return the low and the high corner of both paths, float64[2, 3]; a millimetre where there is nothing."""
     ends = [each for judged in (found.first, found.second) for each in (judged.pieces.begin, judged.pieces.end)]
     points = np.vstack([*ends, np.zeros((1, 3))]) if not sum(map(len, ends)) else np.vstack(ends)
@@ -94,16 +95,7 @@ def _draw(axes: Axes, found: PathComparison, seen: tuple[int, int], box: np.ndar
     low, high = (box[side, list(seen)] for side in (0, 1))
     margin = MARGIN * max(float((high - low).max()), 1e-3)
     finest_mm = max(float((high - low).max()), 1e-3) / FINEST
-    for name, pieces, rapid in _kinds(found):
-        style = (RAPID_WIDTH, RAPID_DASHES) if rapid else (WIDTHS[name], DASHES[name])
-        lines = LineCollection(
-            list(_lines(pieces, seen, finest_mm)),
-            colors=COLOURS[name], linewidths=style[0], linestyles=[style[1]], zorder=2 + ORDER.index(name),
-        )  # fmt: skip
-        axes.add_collection(lines)
-    if found.deviation is not None:
-        place = np.array(found.deviation.place_mm)[list(seen)]
-        axes.plot(*place, "o", ms=16, mfc="none", mec=INK, mew=1.6, zorder=8)
+    draw_paths(axes, found, seen, lambda pieces: _lines(pieces, seen, finest_mm))
     axes.set(xlabel=TEXTS["axis"].format(name="XYZ"[seen[0]]), ylabel=TEXTS["axis"].format(name="XYZ"[seen[1]]))
     axes.set_xlim(low[0] - margin, high[0] + margin)
     if seen == SIDE:
@@ -112,6 +104,28 @@ def _draw(axes: Axes, found: PathComparison, seen: tuple[int, int], box: np.ndar
     else:
         axes.set_ylim(low[1] - margin, high[1] + margin)
         axes.set_aspect("equal")
+
+
+def draw_paths(
+    axes: Axes, found: PathComparison, seen: tuple[int, int], lines_of: Callable[[Segments], Iterable[np.ndarray]]
+) -> None:
+    """Draw both paths in a plane, and mark their largest deviation; lines_of: the lines that are drawn of segments."""
+    for name, pieces, rapid in _kinds(found):
+        width, dashes = (RAPID_WIDTH, RAPID_DASHES) if rapid else (WIDTHS[name], DASHES[name])
+        style = {"colors": COLOURS[name], "linewidths": width, "linestyles": [dashes]}
+        axes.add_collection(LineCollection(list(lines_of(pieces)), zorder=2 + ORDER.index(name), **style))
+    if found.deviation is not None:
+        mark(axes, *np.array(found.deviation.place_mm)[list(seen)])
+
+
+def mark(axes: Axes, x: float, y: float) -> None:
+    """Draw a circle about a place; `mark_entry` names it in the legend."""
+    axes.plot(x, y, "o", ms=16, mfc="none", mec=INK, mew=1.6, zorder=8)
+
+
+def mark_entry(text: str) -> Line2D:
+    """Return the entry of the legend for a circle that `mark` draws."""
+    return Line2D([], [], ls="", marker="o", ms=10, mfc="none", mec=INK, label=text)
 
 
 def _kinds(found: PathComparison) -> Iterator[tuple[str, Segments, bool]]:
@@ -134,20 +148,19 @@ def _lines(pieces: Segments, seen: tuple[int, int], finest_mm: float) -> Iterato
             yield flat[first : first + LONGEST]
 
 
-def _legend(figure: Figure, found: PathComparison, names: tuple[str, str], words: Mapping[str, str]) -> None:
-    """Name the colours, with the length of cut that each has alone."""
-    alone = {"first": found.first.length_mm(True, False), "second": found.second.length_mm(True, False)}
+def path_entries(found: PathComparison, names: tuple[str, str], words: Mapping[str, str]) -> Iterator[Line2D]:
+    """Yield the entries of the legend of the paths, with the length of cut that each has alone."""
     texts = {"common": words["common"]}
-    for name, program in zip(("first", "second"), names, strict=True):
-        texts[name] = f"{words[name].format(name=program)}: {alone[name]:.2f} mm"
-    entries = [
-        Line2D([], [], color=COLOURS[name], lw=WIDTHS[name], ls=DASHES[name], label=texts[name]) for name in ORDER
-    ]
-    entries.append(Line2D([], [], color=INK, lw=RAPID_WIDTH * 1.4, ls=RAPID_DASHES, label=words["rapid"]))
+    for key, name, judged in zip(("first", "second"), names, (found.first, found.second), strict=True):
+        texts[key] = f"{words[key].format(name=name)}: {judged.length_mm(True, False):.2f} mm"
+    for key in ORDER:
+        yield Line2D([], [], color=COLOURS[key], lw=WIDTHS[key], ls=DASHES[key], label=texts[key])
+    yield Line2D([], [], color=INK, lw=RAPID_WIDTH * 1.4, ls=RAPID_DASHES, label=words["rapid"])
     if found.deviation is not None:
-        text = words["deviation"].format(distance=found.deviation.distance_mm)
-        entries.append(Line2D([], [], ls="", marker="o", ms=10, mfc="none", mec=INK, label=text))
-    figure.legend(
-        handles=entries, loc="lower center", bbox_to_anchor=(0.5, 0.12 / figure.get_size_inches()[1]), ncols=3,
-        frameon=False, fontsize=10.5, columnspacing=1.6, handlelength=3.2,
-    )  # fmt: skip
+        yield mark_entry(words["deviation"].format(distance=found.deviation.distance_mm))
+
+
+def _legend(figure: Figure, found: PathComparison, names: tuple[str, str], words: Mapping[str, str]) -> None:
+    entries = list(path_entries(found, names, words))
+    foot = (0.5, 0.12 / figure.get_size_inches()[1])
+    figure.legend(handles=entries, loc="lower center", bbox_to_anchor=foot, **LEGEND)
