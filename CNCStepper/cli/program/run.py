@@ -17,7 +17,6 @@ from CNCStepper.cli.common.path_types import OutputFolder
 from CNCStepper.cli.common.progress import Progress
 from CNCStepper.cli.common.verb import Verb
 from CNCStepper.cli.job_file import is_turning_file, job_and_machine
-from CNCStepper.cli.program.run_turning import run_turning
 from CNCStepper.errors import Text
 from CNCStepper.output_files import MADE_BY
 
@@ -54,7 +53,7 @@ def command(job: Path, out: Path) -> None:
 
     if is_turning_file(job):
         out.mkdir(parents=True, exist_ok=True)
-        sys.exit(1 if run_turning(job, out) else 0)
+        sys.exit(1 if _turning(job, out) else 0)
     loaded, machine = job_and_machine(job)
     for sentence in long_work(loaded):
         show_text("cncstepper: {sentence}; Ctrl+C ends it", err=True, sentence=sentence)
@@ -95,6 +94,46 @@ def _split(job: Job, machine: Machine, path: Path, out: Path) -> bool:
         _conclude(proof, out / part.file_name, suffix, title, job, made_with)
         refused |= proof.refused
     return refused
+
+
+def _turning(path: Path, out: Path) -> bool:
+    """Make and prove the programs of a lathe's job file; return whether one is refused."""
+    from CNCStepper.job.make_certificate import certificate_of
+    from CNCStepper.job.turning.make_turning import make_turning
+    from CNCStepper.job.turning.prove_turning import prove_turning, whole_report
+    from CNCStepper.job.turning.turning_job import load_turning_job
+
+    proofs = []
+    with Progress(Text("making the programs of {name}", name=path.name)):
+        job, machine = load_turning_job(path)
+        programs = make_turning(job, machine, f"{MADE_BY}: {path.stem}")
+    for program in programs:
+        save(out / program.file_name, program.program.encode("ascii"))
+    for proven in prove_turning(job, machine, programs, out):
+        proof, file = proven.proof, out / proven.program.file_name
+        suffix = file.stem.removeprefix("program")
+        told, picture = out / f"report{suffix}.json", out / f"part{suffix}.png"
+        write_report(told, proof.report)
+        certificate_of(proof).write(out / f"certificate{suffix}.zip")
+        proven.verdict.draw(picture, path.stem, f"{proof.report['time_s'] / 60:.1f} min")
+        show_findings(proof.findings)
+        show_figures(proof.report)
+        blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
+        show_text(
+            "{file}: {blocks} blocks that move, {minutes:.1f} min; {told}; {picture}",
+            file=file,
+            blocks=blocks,
+            minutes=minutes,
+            told=told,
+            picture=picture,
+        )
+        proofs.append(proven)
+    if len(proofs) > 1:
+        report = whole_report(proofs)
+        write_report(out / "report.json", report)
+        proofs[-1].verdict.draw(out / "part.png", path.stem, f"{report['time_s'] / 60:.1f} min")
+        show_text("the finished part: {json}; {png}", json=out / "report.json", png=out / "part.png")
+    return any(proven.proof.refused for proven in proofs)
 
 
 def _write_program(file: Path, text: str) -> None:
