@@ -77,6 +77,7 @@ class Interface(QtCore.QObject):
             for watchdog in self.watchdogs:
                 watchdog.begin_block()
             answers.put(answer)
+            del answer  # an error and this frame would keep each other, and with them all widgets that were looked at
 
         self._asked.emit(task)
         try:
@@ -85,9 +86,12 @@ class Interface(QtCore.QObject):
             raise TimeoutError(
                 f"the interface thread did not answer within {limit_s} s; it is in\n{interface_stack()}"
             ) from None
-        if error is not None:
-            raise error
-        return result
+        try:
+            if error is not None:
+                raise error
+            return result
+        finally:
+            del error
 
 
 class Keeper:
