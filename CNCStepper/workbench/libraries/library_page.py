@@ -159,6 +159,7 @@ class TablePage(QtGui.QWidget):
         if writing:
             dialog.setAcceptMode(dialog.AcceptMode.AcceptSave)
             dialog.setDefaultSuffix(self.draft.library.ENDINGS[0][1:])
+            dialog.filterSelected.connect(guarded(lambda chosen: dialog.setDefaultSuffix(chosen.removeprefix("*."))))
         else:
             dialog.setNameFilter(" ".join(f"*{ending}" for ending in self.draft.library.ENDINGS))
             dialog.setFileMode(dialog.FileMode.ExistingFile)
