@@ -18238,6 +18238,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>a material file of FreeCAD holds one material</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>a material number is used twice</source>
             <translation type="unfinished"></translation>
         </message>
@@ -18947,6 +18951,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>add them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>add this model in FreeCAD's material editor</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20254,6 +20262,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct the line, or save the material anew in FreeCAD</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20751,6 +20763,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>export the body itself, as STEP, BREP or STL</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>export the material anew</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22674,6 +22690,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>mark one row, or write a file that ends in .toml</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>marks_for names '{title}', which is no rule with a sheet_cut</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23174,6 +23194,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>no material here is near to this one, so that its chip load is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>no material is stiffer than diamond</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23399,6 +23423,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>not a line of a material file: '{line}'</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>not a material file that FreeCAD writes: {why}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24494,6 +24522,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>save the material anew in FreeCAD</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>say it in the machine's profile: [signals] pins = {{ {name} = 2, ... }}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25186,6 +25218,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take one of FreeCAD 1.0 or newer, with the model Machinability</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take one of them out</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25451,6 +25487,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the blade is wider than the groove</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the block of text begins with signs that are not known</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26518,6 +26558,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the indentation fits no key above</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the inner one</source>
             <translation type="unfinished"></translation>
         </message>
@@ -26687,6 +26731,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the kernels were not compiled in advance: {said}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the key '{name}' is there twice or nested too deeply</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27031,6 +27079,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the margin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the material file is not in UTF-8</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the material has no surface speeds: it lacks the model Machinability</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the material has no {key}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27675,6 +27735,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the pulses were stopped: no more of them came in time; everything is off, and steps may be lost</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the quoted text has an escape that is not known</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the quoted text has no end</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -28814,6 +28882,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is a material file of FreeCAD 0.20, without surface speeds</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is no Python script</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28830,11 +28902,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>this is no key with its value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>this is no machine file of FreeCAD: it has no axes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>this is no pulse letter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this is no quoted text</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -29003,6 +29083,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>this takes long and is calculated in the background</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>this value must be in quotes</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30170,6 +30254,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write it in FreeCAD's material editor</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write it in lines of its own</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30187,6 +30275,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write it on the next line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write its KindOfMaterial in FreeCAD, one of: {kinds}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30618,6 +30710,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{count} materials</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{count} moves</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30870,6 +30966,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{key} is no quantity in one of: {units}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{key} is too long</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30931,6 +31031,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>{key} of material {number} has no such value</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{key} of {ours} is no JSON</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -18275,6 +18275,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>um arquivo de materiais não contém linhas de {process}</translation>
         </message>
         <message>
+            <source>a material file of FreeCAD holds one material</source>
+            <translation>um arquivo de material do FreeCAD contém um só material</translation>
+        </message>
+        <message>
             <source>a material number is used twice</source>
             <translation>um número de material aparece duas vezes</translation>
         </message>
@@ -18985,6 +18989,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>add them</source>
             <translation>acrescente-as</translation>
+        </message>
+        <message>
+            <source>add this model in FreeCAD's material editor</source>
+            <translation>acrescente este modelo no editor de materiais do FreeCAD</translation>
         </message>
         <message>
             <source>add what it is to set</source>
@@ -20291,6 +20299,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>corrija o comando de jog</translation>
         </message>
         <message>
+            <source>correct the line, or save the material anew in FreeCAD</source>
+            <translation>corrija a linha ou salve o material de novo no FreeCAD</translation>
+        </message>
+        <message>
             <source>correct the number</source>
             <translation>corrija o número</translation>
         </message>
@@ -20789,6 +20801,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>export the body itself, as STEP, BREP or STL</source>
             <translation>exporte o próprio corpo, como STEP, BREP ou STL</translation>
+        </message>
+        <message>
+            <source>export the material anew</source>
+            <translation>exporte o material de novo</translation>
         </message>
         <message>
             <source>expressions in brackets are not part of this dialect</source>
@@ -22711,6 +22727,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>margem de {margin_mm:g} mm</translation>
         </message>
         <message>
+            <source>mark one row, or write a file that ends in .toml</source>
+            <translation>marque uma linha ou escreva um arquivo que termina em .toml</translation>
+        </message>
+        <message>
             <source>marks_for names '{title}', which is no rule with a sheet_cut</source>
             <translation>marks_for nomeia '{title}', que não é uma regra com sheet_cut</translation>
         </message>
@@ -23211,6 +23231,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nenhuma máquina mantém um décimo de mícron, e acima de 10 mm nada é mantido</translation>
         </message>
         <message>
+            <source>no material here is near to this one, so that its chip load is not known</source>
+            <translation>nenhum material daqui é próximo deste, e por isso não se conhece o seu avanço por dente</translation>
+        </message>
+        <message>
             <source>no material is stiffer than diamond</source>
             <translation>nenhum material é mais rígido que o diamante</translation>
         </message>
@@ -23437,6 +23461,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>not a line of a material file: '{line}'</source>
             <translation>não é uma linha de arquivo de materiais: '{line}'</translation>
+        </message>
+        <message>
+            <source>not a material file that FreeCAD writes: {why}</source>
+            <translation>não é um arquivo de material como o FreeCAD escreve: {why}</translation>
         </message>
         <message>
             <source>not a number: {text}</source>
@@ -24531,6 +24559,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>salve a máquina de novo no editor de máquinas do FreeCAD (CAM)</translation>
         </message>
         <message>
+            <source>save the material anew in FreeCAD</source>
+            <translation>salve o material de novo no FreeCAD</translation>
+        </message>
+        <message>
             <source>say it in the machine's profile: [signals] pins = {{ {name} = 2, ... }}</source>
             <translation>diga-o no perfil da máquina: [signals] pins = {{ {name} = 2, ... }}</translation>
         </message>
@@ -25223,6 +25255,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>faça mais passes de menor profundidade</translation>
         </message>
         <message>
+            <source>take one of FreeCAD 1.0 or newer, with the model Machinability</source>
+            <translation>use um do FreeCAD 1.0 ou mais novo, com o modelo Machinability</translation>
+        </message>
+        <message>
             <source>take one of them out</source>
             <translation>retire um deles</translation>
         </message>
@@ -25489,6 +25525,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the blade is wider than the groove</source>
             <translation>o bedame é mais largo que o canal</translation>
+        </message>
+        <message>
+            <source>the block of text begins with signs that are not known</source>
+            <translation>o bloco de texto começa com sinais desconhecidos</translation>
         </message>
         <message>
             <source>the board has no byte that switches {device}</source>
@@ -26555,6 +26595,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>os furos em X{x:.2f} Y{y:.2f} e X{x2:.2f} Y{y2:.2f} se sobreporiam em {over:.3g} mm</translation>
         </message>
         <message>
+            <source>the indentation fits no key above</source>
+            <translation>o recuo não corresponde a nenhuma chave acima</translation>
+        </message>
+        <message>
             <source>the inner one</source>
             <translation>o interno</translation>
         </message>
@@ -26725,6 +26769,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the kernels were not compiled in advance: {said}</source>
             <translation>o código rápido não foi compilado antes: {said}</translation>
+        </message>
+        <message>
+            <source>the key '{name}' is there twice or nested too deeply</source>
+            <translation>a chave '{name}' está duas vezes ou em nível profundo demais</translation>
         </message>
         <message>
             <source>the key {name} is missing</source>
@@ -27069,6 +27117,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the margin</source>
             <translation>a margem</translation>
+        </message>
+        <message>
+            <source>the material file is not in UTF-8</source>
+            <translation>o arquivo de material não está em UTF-8</translation>
+        </message>
+        <message>
+            <source>the material has no surface speeds: it lacks the model Machinability</source>
+            <translation>o material não tem velocidades de corte: falta o modelo Machinability</translation>
+        </message>
+        <message>
+            <source>the material has no {key}</source>
+            <translation>o material não tem {key}</translation>
         </message>
         <message>
             <source>the measured length is far from the commanded one</source>
@@ -27713,6 +27773,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the pulses were stopped: no more of them came in time; everything is off, and steps may be lost</source>
             <translation>os pulsos foram parados: não vieram outros a tempo; tudo está desligado, e passos podem ter sido perdidos</translation>
+        </message>
+        <message>
+            <source>the quoted text has an escape that is not known</source>
+            <translation>o texto entre aspas tem uma sequência de escape desconhecida</translation>
+        </message>
+        <message>
+            <source>the quoted text has no end</source>
+            <translation>o texto entre aspas não termina</translation>
         </message>
         <message>
             <source>the radius at the end of the arc is {at_end:.4f} mm and at its start {radius:.4f} mm</source>
@@ -28851,6 +28919,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>isto é uma falha deste programa: relate-a</translation>
         </message>
         <message>
+            <source>this is a material file of FreeCAD 0.20, without surface speeds</source>
+            <translation>este é um arquivo de material do FreeCAD 0.20, sem velocidades de corte</translation>
+        </message>
+        <message>
             <source>this is no Python script</source>
             <translation>isto não é um script Python</translation>
         </message>
@@ -28867,12 +28939,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>isto não é uma entrada de máquina: {error}</translation>
         </message>
         <message>
+            <source>this is no key with its value</source>
+            <translation>isto não é uma chave com o seu valor</translation>
+        </message>
+        <message>
             <source>this is no machine file of FreeCAD: it has no axes</source>
             <translation>isto não é um arquivo de máquina do FreeCAD: não tem eixos</translation>
         </message>
         <message>
             <source>this is no pulse letter</source>
             <translation>isto não é uma letra de pulso</translation>
+        </message>
+        <message>
+            <source>this is no quoted text</source>
+            <translation>isto não é um texto entre aspas</translation>
         </message>
         <message>
             <source>this is no setting: {line}</source>
@@ -29041,6 +29121,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>this takes long and is calculated in the background</source>
             <translation>isto demora, e está sendo feito ao lado da janela</translation>
+        </message>
+        <message>
+            <source>this value must be in quotes</source>
+            <translation>este valor precisa de aspas</translation>
         </message>
         <message>
             <source>those of splines count {spline_weight} times</source>
@@ -30207,6 +30291,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva-a em duas</translation>
         </message>
         <message>
+            <source>write it in FreeCAD's material editor</source>
+            <translation>escreva-o no editor de materiais do FreeCAD</translation>
+        </message>
+        <message>
             <source>write it in lines of its own</source>
             <translation>escreva-o em linhas próprias</translation>
         </message>
@@ -30225,6 +30313,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write it on the next line</source>
             <translation>escreva-o na linha seguinte</translation>
+        </message>
+        <message>
+            <source>write its KindOfMaterial in FreeCAD, one of: {kinds}</source>
+            <translation>escreva o KindOfMaterial dele no FreeCAD, um destes: {kinds}</translation>
         </message>
         <message>
             <source>write its comment before, such as {example}, or name material and thickness</source>
@@ -30655,6 +30747,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{count} linhas têm marcadores, que não são lidos</translation>
         </message>
         <message>
+            <source>{count} materials</source>
+            <translation>{count} materiais</translation>
+        </message>
+        <message>
             <source>{count} moves</source>
             <translation>{count} movimentos</translation>
         </message>
@@ -30907,6 +31003,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{key} falta, e só os círculos de um desenho têm um próprio</translation>
         </message>
         <message>
+            <source>{key} is no quantity in one of: {units}</source>
+            <translation>{key} não é uma grandeza em uma destas unidades: {units}</translation>
+        </message>
+        <message>
             <source>{key} is too long</source>
             <translation>{key} é longo demais</translation>
         </message>
@@ -30969,6 +31069,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>{key} of material {number} has no such value</source>
             <translation>{key} do material {number} não pode ter esse valor</translation>
+        </message>
+        <message>
+            <source>{key} of {ours} is no JSON</source>
+            <translation>{key} de {ours} não é JSON</translation>
         </message>
         <message>
             <source>{key}= is twice in a material's comment</source>

@@ -18,8 +18,9 @@ from CNCStepper.machine.libraries.chart_library import CHARTED
 from CNCStepper.machine.libraries.tool_library import library_path, library_tools
 from CNCStepper.workbench import api, panels
 from window_helpers import screen_places as places
+from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
-from window_helpers.tables import click_tab, put, rows_by_buttons
+from window_helpers.tables import click_cell, click_tab, put, rows_by_buttons
 
 L = "CNCStepper_Library"
 TOOLS, MATERIALS, CHARTS = range(3)
@@ -117,3 +118,39 @@ def test_rows_of_every_table_come_and_go_by_buttons(
         hand.main(QtCore.QTimer.singleShot, 0, library.close)
         hand.click(f"{L}_closing_{answer}")
         hand.wait(lambda is_open=is_open: library.isVisible() == is_open, 5, answer)
+
+
+def test_a_material_goes_to_freecad_s_form_and_comes_back(
+    hand: Hand, library: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    page, count = library.materials, len(library.materials.draft.table)
+    click_tab(hand, library.tabs, MATERIALS)
+    click_cell(hand, page.table, 0, 0)
+    hand.click(f"{L}_materials_export")
+    choose_file(hand, f"{L}_materials_file", tmp_path / "Alu", "*.FCMat")
+    hand.wait((tmp_path / "Alu.FCMat").is_file, 5, "the file with the ending that is chosen")
+    text = (tmp_path / "Alu.FCMat").read_text("utf-8")
+    (tmp_path / "Alu.FCMat").write_text(text[: text.index("CNCStepper:")], encoding="utf-8")  # as FreeCAD saves it
+    hand.click(f"{L}_materials_import")
+    choose_file(hand, f"{L}_materials_file", tmp_path / "Alu.FCMat")
+    hand.wait(lambda: len(page.draft.table) == count + 1, 5, "the material of the file")
+    hand.shot("library-material-of-freecad")
+    first, last = page.draft.table[0].texts, page.draft.table[-1].texts
+    assert (last["key"], last["carbide_speed_m_min"]) == ("material-1", "180 180")
+    assert last["source"] == "FreeCAD: Alu.FCMat; chip load of aluminium-6061"
+    same = ("title", "carbide_chip_load_mm", "turning_force_n_mm2", "turning_elasticity_n_mm2", "stepdown")
+    assert {key: last[key] for key in same} == {key: first[key] for key in same} and not page.model.problems
+
+
+def test_a_material_file_of_freecad_0_20_is_refused(hand: Hand, library: Any, tmp_path: Path) -> None:
+    page, count = library.materials, len(library.materials.draft.table)
+    (tmp_path / "Steel.FCMat").write_text("; Steel\n[General]\nName = Steel\n", encoding="utf-8")
+    click_tab(hand, library.tabs, MATERIALS)
+    hand.click(f"{L}_materials_import")
+    choose_file(hand, f"{L}_materials_file", tmp_path / "Steel.FCMat")
+    hand.wait(lambda: places.visible("CNCStepper_Tell_error"), 10, "the refusal")
+    hand.shot("library-material-refused")
+    hand.click("CNCStepper_Tell_ok")
+    hand.wait(lambda: not places.visible("CNCStepper_Tell_error"), 10, "the message to close")
+    assert len(page.draft.table) == count

@@ -13,9 +13,11 @@ from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
 
-def choose_file(hand: Hand, dialog: str, path: Path) -> None:
-    """Answer the file dialog with this objectName, and wait until it is gone."""
+def choose_file(hand: Hand, dialog: str, path: Path, kind: str = "") -> None:
+    """Answer the file dialog with this objectName, and wait until it is gone; kind: of file, where it is chosen."""
     hand.wait(lambda: places.visible(dialog), 20, f"{dialog} to ask")
+    if kind:
+        hand.choose(hand.main(lambda: places.find(dialog).findChild(QtGui.QComboBox, "fileTypeCombo")), kind)
     line = hand.main(lambda: places.find(dialog).findChild(QtGui.QLineEdit, "fileNameEdit"))
     hand.main(line.setText, str(path))
     hand.click(line)

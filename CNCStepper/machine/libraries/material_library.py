@@ -12,8 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from CNCStepper.atomic_file import write_whole
+from CNCStepper.errors import JobError, Text
 from CNCStepper.machine.files.toml_reader import read_toml
 from CNCStepper.machine.files.toml_text import document_text
+from CNCStepper.machine.freecad_materials import ENDING, read_material, write_material
 from CNCStepper.machine.libraries.table_draft import (
     Column,
     Problems,
@@ -36,7 +38,7 @@ OF_TURNING = ("force_n_mm2", "exponent", "elasticity_n_mm2")
 class MaterialLibrary:
     """The materials: a row each, with surface speeds and chip loads for carbide and HSS, and what turning needs."""
 
-    ENDINGS: tuple[str, ...] = (".toml",)
+    ENDINGS: tuple[str, ...] = (".toml", ENDING)
     columns: tuple[Column, ...] = (
         Column(KEY, "text", is_needed=True),
         Column("title", "text", is_needed=True),
@@ -82,21 +84,36 @@ class MaterialLibrary:
         return path
 
     def read(self, path: Path) -> tuple[list[tuple[Values, Any]], list[str]]:
-        """Return the materials of a file in the form of the user's own; raises JobError."""
-        self._require(path)
+        """Return the materials of a file in the form of the user's own, or the one of FreeCAD's; raises JobError."""
+        if self._is_fcmat(path):
+            return [(_values(read_material(path)), None)], []
         tables = read_toml(path)
         found = [validated(Material, {"name": name, **table}, str(path)) for name, table in tables.items()]
         return [(_values(one), None) for one in found], []
 
     def write(self, rows: Sequence[tuple[Values, Any]], path: Path) -> list[str]:
-        """Write materials into a file; raises JobError for one of another kind."""
-        self._require(path)
+        """Write materials into a file, FreeCAD's holds one; raises JobError for one of another kind."""
+        if self._is_fcmat(path):
+            write_material(_only(rows), path)
+            return []
         write_whole(path, _text([values for values, _ in rows]).encode("utf-8"))
         return []
 
-    def _require(self, path: Path) -> None:
-        if path.suffix.lower() not in self.ENDINGS:
+    def _is_fcmat(self, path: Path) -> bool:
+        """Return whether a file is one of FreeCAD's, not TOML; raises JobError for another ending."""
+        ending = path.suffix.lower()
+        if ending not in [known.lower() for known in self.ENDINGS]:
             raise unknown_ending(path, self.ENDINGS)
+        return ending == ENDING.lower()
+
+
+def _only(rows: Sequence[tuple[Values, Any]]) -> Material:
+    if len(rows) != 1:
+        value = Text("{count} materials", count=len(rows))
+        advice = "mark one row, or write a file that ends in .toml"
+        raise JobError("fcmat-one", "a material file of FreeCAD holds one material", value=value, advice=advice)
+    values, _ = rows[0]
+    return validated(Material, {"name": values[KEY], **_content(values)}, values[KEY])
 
 
 def _text(rows: Sequence[Values]) -> str:

@@ -122,3 +122,16 @@ def test_cells_are_read_as_they_are_shown() -> None:
     for text in ("1.2.3", "nan", "1e999", "x"):
         with pytest.raises(ValueError, match="no number"):
             value_of(text, Column("feed"))
+
+
+def test_a_material_goes_to_freecad_and_comes_back(tmp_path: Path) -> None:
+    draft = TableDraft(MaterialLibrary())
+    row = material_names().index("pvc")
+    assert draft.export_file(tmp_path / "pvc.FCMat", [row]) == []
+    draft.delete([row])
+    assert draft.import_file(tmp_path / "pvc.FCMat") == [] and not draft.judged()[1]
+    assert draft.judged()[0][-1][0]["turning_force_n_mm2"] == 161.4447
+    assert draft.table[-1].texts == TableDraft(MaterialLibrary()).table[row].texts
+    with pytest.raises(JobError, match="fcmat-one"):
+        draft.export_file(tmp_path / "two.FCMat", [0, 1])
+    assert not (tmp_path / "two.FCMat").exists()
