@@ -10,7 +10,7 @@ unexport PYTHONDONTWRITEBYTECODE
 
 help:
 	@echo "make demo    draw, cut and check the demonstration part in headless FreeCAD and on the virtual grbl"
-	@echo "make test    everything: lint, types, all tests, those inside FreeCAD too"
+	@echo "make test    lint, types, all tests but those of FreeCAD's window, which make matrix runs"
 	@echo "make matrix  the tests inside FreeCAD 0.20.2, 1.0.0 and 1.1.3, with and without a window (sets them up; as root)"
 	@echo "make quick   the tests that take under 60 s together and need no FreeCAD"
 	@echo "make soak    the random cases of every cycle, 500 each in place of 25, and 5000 sends under faults (hours); RUNS=n takes another number"
