@@ -19062,6 +19062,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>an earlier program has left modes that this one does not set: {modes}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>an edge of the solid is no curve: {error}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21447,6 +21451,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>homing was interrupted by a reset</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>if it was cutting, the position is unknown: look at the machine, then see {log}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25754,6 +25762,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the controller is set up for another machine: {differences}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the controller is starting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -28539,6 +28551,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the work zero is not where the program was proven: {differences}</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

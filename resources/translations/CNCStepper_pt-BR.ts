@@ -19099,6 +19099,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>falta um eixo: {text}</translation>
         </message>
         <message>
+            <source>an earlier program has left modes that this one does not set: {modes}</source>
+            <translation>um programa anterior deixou modos que este não define: {modes}</translation>
+        </message>
+        <message>
             <source>an edge of the solid is no curve: {error}</source>
             <translation>uma aresta do sólido não é uma curva: {error}</translation>
         </message>
@@ -21485,6 +21489,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>homing was interrupted by a reset</source>
             <translation>o referenciamento foi interrompido por um reset</translation>
+        </message>
+        <message>
+            <source>if it was cutting, the position is unknown: look at the machine, then see {log}</source>
+            <translation>se estava cortando, a posição é desconhecida: olhe a máquina, depois veja {log}</translation>
         </message>
         <message>
             <source>if it was cutting, the position is unknown: look at the machine, then see {session_file}</source>
@@ -25791,6 +25799,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o controlador está travado: referencie a máquina, ou destrave-a se a posição está certa com certeza</translation>
         </message>
         <message>
+            <source>the controller is set up for another machine: {differences}</source>
+            <translation>o controlador está configurado para outra máquina: {differences}</translation>
+        </message>
+        <message>
             <source>the controller is starting</source>
             <translation>o controlador está iniciando</translation>
         </message>
@@ -28577,6 +28589,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the work zero is not known, so the program's place on the table is unknown</source>
             <translation>o zero-peça não é conhecido, por isso o lugar do programa na mesa é desconhecido</translation>
+        </message>
+        <message>
+            <source>the work zero is not where the program was proven: {differences}</source>
+            <translation>o zero da peça não está onde o programa foi provado: {differences}</translation>
         </message>
         <message>
             <source>the work zero was set at a pause, so that the retract along the cut is unknown</source>

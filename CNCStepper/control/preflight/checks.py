@@ -52,7 +52,7 @@ from CNCStepper.control.protocol.grbl.readiness import OFFSET_TOLERANCE_MM, chec
 from CNCStepper.control.protocol.grbl.settings import check_settings, differences
 from CNCStepper.control.protocol.grbl.status_reports import Vector
 from CNCStepper.control.protocol.grbl.timeouts import Timing
-from CNCStepper.errors import MachineRefusal, Text, one_of
+from CNCStepper.errors import MachineRefusal, Text, joined, one_of
 from CNCStepper.gcode.syntax.words import code_pattern, packed_wire, scanned_codes
 from CNCStepper.state import WORK_SYSTEMS
 
@@ -192,7 +192,7 @@ def check_modes(found: Sequence[str]) -> None:
     if found:
         raise MachineRefusal(
             "modes-differ",
-            "an earlier program has left modes that this one does not set: " + "; ".join(found),
+            Text("an earlier program has left modes that this one does not set: {modes}", modes=joined("; ", found)),
             advice="send the wanted words by hand or reset the controller, look at the work zero, and send again",
         )
 

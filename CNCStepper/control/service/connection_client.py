@@ -355,7 +355,11 @@ class ConnectionClient:
         if self.session_file and is_alive(self.session_file):
             self._end(silent(self.session_file))
         else:
-            self._end(LinkError("desk-start", "the connection service does not start", advice="see " + self._log()))
+            self._end(
+                LinkError(
+                    "desk-start", "the connection service does not start", advice=Text("see {log}", log=self._log())
+                )
+            )
 
     def _take_launch(self, launched: Future[Launched]) -> None:
         self._launched = None
@@ -457,7 +461,9 @@ class ConnectionClient:
         return LinkError(
             "desk-lost",
             Text("the desk of {port} is not there, or was killed", port=self.port),
-            advice="if it was cutting, the position is unknown: look at the machine, then see " + self._log(),
+            advice=Text(
+                "if it was cutting, the position is unknown: look at the machine, then see {log}", log=self._log()
+            ),
         )
 
     def _end(self, error: CNCStepperError | None) -> None:

@@ -156,10 +156,14 @@ class SessionClient:
         end_s = time.monotonic() + START_LIMIT_S
         while not is_alive(self.session_file) and not self._outcome_file().exists():
             if self._process.poll() is not None and not self._outcome_file().exists():
-                raise LinkError("sender-start", "the sender's process ended at once", advice="see " + self._log())
+                raise LinkError(
+                    "sender-start", "the sender's process ended at once", advice=Text("see {log}", log=self._log())
+                )
             if time.monotonic() > end_s:
                 self._process.terminate()
-                raise LinkError("sender-start", "the sender's process does not start", advice="see " + self._log())
+                raise LinkError(
+                    "sender-start", "the sender's process does not start", advice=Text("see {log}", log=self._log())
+                )
             time.sleep(LOOK_EVERY_S)
 
     def _connect(self) -> None:

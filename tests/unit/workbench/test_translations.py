@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 from pathlib import Path
 
@@ -45,6 +46,20 @@ def test_no_refusal_is_put_together_before_it_is_translated() -> None:
     sayings = {part for refusal in refusals for saying in refusal.sayings for part in saying}
     assert len(sayings) > 1500
     assert [saying for saying in sayings if PUT_TOGETHER.search(saying)] == []
+
+
+def test_no_refusal_adds_texts_together() -> None:
+    """Such a sum has no template: joined() and Text() keep one for each part."""
+    tree = {path: ast.parse(path.read_text("utf-8")) for path in (ROOT / "CNCStepper").rglob("*.py")}
+    sums = [
+        f"{path.relative_to(ROOT)}:{part.lineno}"
+        for path, module in tree.items()
+        for call in ast.walk(module)
+        if isinstance(call, ast.Call) and tool.called(call).endswith(("Error", "Refusal"))
+        for part in [*call.args[1:2], *(word.value for word in call.keywords if word.arg == "advice")]
+        if isinstance(part, ast.BinOp) and isinstance(part.op, ast.Add)
+    ]
+    assert sums == []
 
 
 def test_every_text_is_translated() -> None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 
 from CNCStepper.control.protocol.grbl.status_reports import Status
-from CNCStepper.errors import MachineRefusal, Text
+from CNCStepper.errors import MachineRefusal, Text, joined
 
 OFFSET_TOLERANCE_MM = 0.002  # grbl prints four decimals of an inch
 
@@ -98,6 +98,6 @@ def check_offsets(found: Sequence[str]) -> None:
     if found:
         raise MachineRefusal(
             "start-differs",
-            "the work zero is not where the program was proven: " + "; ".join(found),
+            Text("the work zero is not where the program was proven: {differences}", differences=joined("; ", found)),
             advice="set the zero there, or check the program again with the zero that is set (--work-zero)",
         )

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from CNCStepper.errors import MachineRefusal, Text
+from CNCStepper.errors import MachineRefusal, Text, joined
 
 if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
@@ -68,7 +68,10 @@ def check_settings(settings: Mapping[int, float], wanted: Mapping[int, float]) -
     if found := differences(settings, wanted):
         raise MachineRefusal(
             "settings-differ",
-            "the controller is set up for another machine: " + "; ".join(map(str, found)),
+            Text(
+                "the controller is set up for another machine: {differences}",
+                differences=joined("; ", (each.text for each in found)),
+            ),
             value=f"${found[0].number}={found[0].value:g}",
             limit=f"${found[0].number}={found[0].wanted:g}",
             advice="choose the right machine profile, or correct the settings",
