@@ -191,7 +191,7 @@ class Reader:
         if isinstance(part, str):
             return [part] if part else []
         node = argument(call, part)
-        local = assigned(around, node.id) if isinstance(node, ast.Name) and around else []
+        local = assigned(around, node.id, call) if isinstance(node, ast.Name) and around else []
         nodes = local or ([] if node is None else [node])
         return list(dict.fromkeys(text for each in nodes for text in self._texts(module, each)))
 
@@ -222,11 +222,37 @@ class Reader:
                 yield from self._texts(module, value, deep + 1)
 
 
-def assigned(function: ast.FunctionDef, name: str) -> list[ast.expr]:
-    """Return what a function gives to one of its names, alone or as one of several."""
-    assignments = (node for node in ast.walk(function) if isinstance(node, ast.Assign))
-    given = (pair for node in assignments for target in node.targets for pair in pairs(target, node.value))
-    return [value for each, value in given if each == name]
+def assigned(function: ast.FunctionDef, name: str, call: ast.Call) -> list[ast.expr]:
+    """Return what a name may be at a call: the nearest assignment before it, and those under an if between the two."""
+
+    def is_named(node: ast.AST) -> bool:
+        return isinstance(node, ast.Name) and node.id == name
+
+    found: list[ast.expr] = []
+    for block in reversed(blocks_before(function, call)):
+        for statement in reversed(block):
+            values = given(statement, name)
+            found += values
+            if values and isinstance(statement, ast.Assign) and not any(map(is_named, ast.walk(statement.value))):
+                return found
+    return found or given(function, name)
+
+
+def given(node: ast.AST, name: str) -> list[ast.expr]:
+    """Return all that a name is given somewhere in a node, alone or as one of several."""
+    assignments = (each for each in ast.walk(node) if isinstance(each, ast.Assign))
+    both = (pair for each in assignments for target in each.targets for pair in pairs(target, each.value))
+    return [value for each, value in both if each == name]
+
+
+def blocks_before(node: ast.AST, call: ast.Call) -> list[list[ast.stmt]]:
+    """Return the statements before a call in each block around it, the outermost block first."""
+    for part in ("body", "orelse", "finalbody", "handlers", "cases"):
+        block = getattr(node, part, [])
+        for number, each in enumerate(block):
+            if any(below is call for below in ast.walk(each)):
+                return [block[:number] if isinstance(each, ast.stmt) else [], *blocks_before(each, call)]
+    return []
 
 
 def pairs(target: ast.expr, value: ast.expr) -> Iterator[tuple[str, ast.expr]]:

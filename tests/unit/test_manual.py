@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
+import textwrap
 from pathlib import Path
 
 import click
@@ -212,6 +214,24 @@ def check(name):
     (found,) = reader.read().values()
     assert (found.code, list(found.sayings)) == ("a-code", [("{name} is wrong", "correct the line")])
     assert reader.put_together == {"…-fault"}
+
+
+@pytest.mark.parametrize(
+    ("source", "sayings"),
+    [
+        ('what = "one"\nif a:\n raise E(what)\nwhat = "two"\nraise E(what, "do")', [["one"], ["two"]]),
+        ('if a:\n what = "one"\n raise E(what)\nif b:\n what = "two"\n raise E(what, "do")', [["one"], ["two"]]),
+        ('what = "one"\nif a:\n what = "two"\nraise E(what)', [["two", "one"]]),
+        ('what = "one"\nwhat = what\nraise E(what)', [["what", "one"]]),
+        ('try:\n what = "one"\nexcept E:\n raise E(what)', [["one"]]),
+    ],
+)
+def test_a_refusal_says_what_its_name_is_given_last(source: str, sayings: list[list[str]]) -> None:
+    function = ast.parse("def check():\n" + textwrap.indent(source, " ")).body[0]
+    calls = [node for node in ast.walk(function) if isinstance(node, ast.Call)]
+    calls.sort(key=lambda call: call.lineno)
+    found = [manual.refusal_codes.assigned(function, "what", call) for call in calls]
+    assert [[ast.unparse(value).strip("'") for value in values] for values in found] == sayings
 
 
 def test_the_set_up_installs_pinned_versions() -> None:
