@@ -23,7 +23,7 @@ PAGES = [
     if page.with_name(f"{page.stem}.pt-BR.md").is_file()
 ]
 NO_LABELS = {  # labels of FreeCAD, keys, names, words that are only stressed
-    *("preferences", "cncstepper", "part compound", "macro recording", "test", "cncstepper → lathe"),
+    *("preferences", "cncstepper", "machinability", "part compound", "macro recording", "test", "cncstepper → lathe"),
     *("page up", "page down", "tab", "space", "…, outline"),
     *("spyrrow", "dask.distributed", "ae", "t2 v-bit 6 mm 60°", "before", "do", "and", "zero"),
     *("on the path at line 44", "off the path of these lines"),
