@@ -18,6 +18,7 @@ import pytest
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.gcode.wire.read_back import refused_lines
 from CNCStepper.workbench import api
+from CNCStepper.workbench.document.core_job import language_of
 from CNCStepper.workbench.features.base import is_job, problem_of, proxy_type, value_of
 from window_helpers import macros, monkey_documents
 from window_helpers import screen_places as places
@@ -58,7 +59,7 @@ def unreadable(document: Any) -> list[str]:
     found = []
     for job in (obj for obj in document.Objects if is_job(obj)):
         with suppress(CNCStepperError):
-            found += [str(error) for error in refused_lines(api.program_text(job), None, "grbl", "program")]
+            found += [str(error) for error in refused_lines(api.program_text(job), None, language_of(job), "program")]
     return found
 
 
