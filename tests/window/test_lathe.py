@@ -256,10 +256,7 @@ def small_window(hand: Hand) -> Iterator[None]:
 
 def is_cut_off() -> bool:
     """Return whether the open panel is wider than its place, so that a person has to scroll sideways."""
-    widget = places.find(f"{PANEL}ok")
-    while widget is not None and not isinstance(widget, QtGui.QScrollArea):
-        widget = widget.parentWidget()
-    return widget is not None and widget.horizontalScrollBar().maximum() > 0
+    return bool(places.area_around(f"{PANEL}ok").horizontalScrollBar().maximum() > 0)
 
 
 @pytest.mark.usefixtures("small_window")

@@ -185,7 +185,7 @@ def cut_in_panel() -> list[str]:
     """Return what the open panel cuts; as wide as FreeCAD's own OK and Cancel in its dark theme it may be."""
     heads = (each for each in places.all_widgets() if each.objectName().startswith(f"{PANEL}group_"))
     area = places.area_around(next(each for each in heads if each.isVisible()))
-    buttons = places.find(f"{PANEL}ok").parentWidget().parentWidget()
+    buttons = places.widgets_around(places.find(f"{PANEL}ok"))[2]
     own_px = buttons.minimumSizeHint().width() + 2 * buttons.x() + FRAME_PX
     return places.cut_texts(area, max(0, own_px - area.viewport().width()))
 

@@ -162,12 +162,16 @@ def _scroll_to_spot(widget: Any, spot: Any) -> None:
             area.ensureVisible(inside.x(), inside.y())
 
 
+def widgets_around(widget: Any) -> list[Any]:
+    """Return a widget and those that contain it, the innermost first, without asking for parents: see `scroll_to`."""
+    holders = [each for each in all_widgets() if each.isAncestorOf(widget)]
+    return [widget, *sorted(holders, key=lambda holder: -sum(each.isAncestorOf(holder) for each in holders))]
+
+
 def _chain(widget: Any) -> str:
-    names = []
-    while widget is not None:
-        names.append(f"{type(widget).__name__}({widget.objectName()})")
-        widget = widget.parentWidget()
-    return " in ".join(names) or "nothing of FreeCAD's"
+    if widget is None:
+        return "nothing of FreeCAD's"
+    return " in ".join(f"{type(each).__name__}({each.objectName()})" for each in widgets_around(widget))
 
 
 def tool_button(command: str) -> Any:
@@ -375,10 +379,7 @@ def narrower_than_their_text(dialog: Any) -> list[str]:
 
 def area_around(target: Any) -> Any:
     """Return the scroll area in which a widget stands."""
-    widget = find(target)
-    while not isinstance(widget, QtGui.QScrollArea):
-        widget = widget.parentWidget()
-    return widget
+    return next(each for each in widgets_around(find(target)) if isinstance(each, QtGui.QScrollArea))
 
 
 def cut_texts(window: Any, spare_px: int = 0) -> list[str]:

@@ -8,7 +8,7 @@ tab.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 import FreeCADGui
@@ -59,28 +59,24 @@ class ActiveEditor:
         return self._dock if is_seen(self._dock) else next(filter(is_seen, shown), None)
 
     def _focus_moved(self, _: Any, now: Any) -> None:
-        """Follow the focus; runs for every change of it in FreeCAD, so it only looks at what contains the widget."""
-        for widget, name in around(now):
-            if hasattr(widget, "is_program_editor"):
-                self.turn_to(widget)
-                return
-            if name == TREE:
-                self.turn_to(None)
-                return
+        """Follow the focus; runs for every change of it in FreeCAD.
 
-
-def around(widget: Any) -> Iterator[tuple[Any, str]]:
-    """Yield a widget and what contains it, each with the name of its class in Qt.
-
-    PySide2 may take a widget for a dead one that lay at its place in memory: of that nothing can be known.
-    """
-    while widget is not None:
-        try:
-            name, parent = widget.metaObject().className(), widget.parentWidget()
-        except RuntimeError:
+        No widget is asked for its parents: PySide2 keeps those that FreeCAD has made beyond their deletion, and takes
+        what comes to lie at their place in memory for them.
+        """
+        if now is None:
             return
-        yield widget, name
-        widget = parent
+        dock = next((dock for dock in _docks if dock.isAncestorOf(now)), None)
+        if dock is not None or class_in_qt(now) == TREE:
+            self.turn_to(dock)
+
+
+def class_in_qt(widget: Any) -> str:
+    """Return the name of a widget's class in Qt, "" for one that PySide2 takes for a dead one."""
+    try:
+        return str(widget.metaObject().className())
+    except RuntimeError:
+        return ""
 
 
 def selected() -> list[str]:
@@ -95,8 +91,6 @@ def is_seen(dock: Any) -> bool:
 
 class EditorDock(QtGui.QDockWidget):
     """The dock of one text."""
-
-    is_program_editor = True  # for `ActiveEditor`
 
     def __init__(self, source: Any, window: Any):
         panel = EditorPanel(source)
@@ -113,6 +107,8 @@ class EditorDock(QtGui.QDockWidget):
             event.ignore()
             return
         self.panel.end()
+        if self in _docks:
+            _docks.remove(self)
         for front in _front:
             front.leave(self)
         super().closeEvent(event)
@@ -154,12 +150,12 @@ class ClosingGuard(QtCore.QObject):
 
 _guard: list[ClosingGuard] = []
 _front: list[ActiveEditor] = []
+_docks: list[EditorDock] = []
 
 
 def docks() -> list[EditorDock]:
     """Return the docks of all texts that are being edited."""
-    found = FreeCADGui.getMainWindow().findChildren(QtGui.QDockWidget, NAME)
-    return [dock for dock in found if isinstance(dock, EditorDock)]
+    return list(_docks)
 
 
 def dock_in_front() -> EditorDock | None:
@@ -180,6 +176,7 @@ def open_source(source: Any) -> EditorDock:
     dock = next((dock for dock in others if dock.panel.source.key == source.key), None)
     if dock is None:
         dock = EditorDock(source, window)
+        _docks.append(dock)
         window.addDockWidget(QtCore.Qt.DockWidgetArea.RightDockWidgetArea, dock)
         if others:
             window.tabifyDockWidget(others[-1], dock)

@@ -141,7 +141,9 @@ def _make_filter(parent: Any) -> Any:
 
         def eventFilter(self, viewport: Any, event: Any) -> bool:
             """Return whether the event goes no further."""
-            return event.type() in (moves, drop) and bool(self.answer(viewport, event, event.type() == drop))
+            if not isinstance(event, QtCore.QEvent) or event.type() not in (moves, drop):
+                return False  # PySide2 may take an event for a deleted object that lay at its address
+            return bool(self.answer(viewport, event, event.type() == drop))
 
         @polled
         def answer(self, viewport: Any, event: Any, is_drop: bool) -> bool:

@@ -49,7 +49,9 @@ def _make_filter(parent: Any) -> Any:
 
         def eventFilter(self, viewport: Any, event: Any) -> bool:
             """Return whether the tooltip is shown here."""
-            return event.type() == QtCore.QEvent.Type.ToolTip and bool(self.show(viewport, event))
+            if not isinstance(event, QtCore.QEvent) or event.type() != QtCore.QEvent.Type.ToolTip:
+                return False  # PySide2 may take an event for a deleted object that lay at its address
+            return bool(self.show(viewport, event))
 
         @polled
         def show(self, viewport: Any, event: Any) -> bool:
