@@ -135,6 +135,8 @@ def test_a_material_goes_to_freecad_s_form_and_comes_back(
     hand.click(f"{L}_materials_import")
     choose_file(hand, f"{L}_materials_file", tmp_path / "Alu.FCMat")
     hand.wait(lambda: len(page.draft.table) == count + 1, 5, "the material of the file")
+    row = hand.main(lambda: page.table.visualRect(page.model.index(count, 0)).center())
+    assert hand.main(lambda: page.table.viewport().rect().contains(row)), "the new row is seen"
     hand.shot("library-material-of-freecad")
     first, last = page.draft.table[0].texts, page.draft.table[-1].texts
     assert (last["key"], last["carbide_speed_m_min"]) == ("material-1", "180 180")

@@ -103,6 +103,7 @@ class TablePage(QtGui.QWidget):
             return
         self.search.clear()
         self._show_rows()
+        self.table.scrollToBottom()
         if notes:
             messages.notice(tr("Not all of the file was taken"), "\n".join(map(translated, notes)))
 
