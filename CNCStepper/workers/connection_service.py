@@ -77,7 +77,7 @@ def _run(service: ConnectionService, service_file: ServiceFile) -> CNCStepperErr
         return error
     except Exception:
         traceback.print_exc()
-        return CNCStepperError("desk-fault", "the desk failed by a fault of its own", advice="see its log, report it")
+        return CNCStepperError("desk-fault", "the connection service failed by a fault of its own", advice="see its log, report it")
     return None
 
 

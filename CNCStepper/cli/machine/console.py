@@ -58,7 +58,7 @@ class EchoInput:
             for text in self._heard():
                 self._show(text)
         if self._talk.is_over:
-            why = self._talk.client.error or Text("the desk has ended")
+            why = self._talk.client.error or Text("the connection service has ended")
             self._show(translated(Text("{why} (Enter ends the console)", why=why)))
 
     def _heard(self) -> Iterator[str]:

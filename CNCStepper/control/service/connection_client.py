@@ -105,7 +105,7 @@ def launch(port: str, baud: int, folder: Path | None, machine: str = "") -> Futu
             return
         except Exception as error:  # the disk is full or the folder is missing: the window reports it
             answer.set_exception(
-                LinkError("desk-start", Text("the desk cannot be started: {error}", error=error), advice="try again")
+                LinkError("desk-start", Text("the connection service cannot be started: {error}", error=error), advice="try again")
             )
             return
         answer.set_result((path, process))
@@ -460,7 +460,7 @@ class ConnectionClient:
             return unreadable(path, str(error))
         return LinkError(
             "desk-lost",
-            Text("the desk of {port} is not there, or was killed", port=self.port),
+            Text("the connection service of {port} is not there, or was killed", port=self.port),
             advice=Text(
                 "if it was cutting, the position is unknown: look at the machine, then see {log}", log=self._log()
             ),
