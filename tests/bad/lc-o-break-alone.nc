@@ -1,3 +1,3 @@
 o1 break
 m2
-; expect no-label 1:1 linuxcnc | break has no while or do with the label o1 before it (value o1 break)
+; expect no-label 1:1 linuxcnc | break has no while or do with the label o1 before it (value o1 break); write one before it, or correct the label

@@ -1,3 +1,3 @@
 o1 endif
 m2
-; expect no-label 1:1 linuxcnc | endif has no if with the label o1 before it (value o1 endif)
+; expect no-label 1:1 linuxcnc | endif has no if with the label o1 before it (value o1 endif); write one before it, or correct the label

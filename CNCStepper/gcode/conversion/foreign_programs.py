@@ -96,7 +96,8 @@ def converted(
             dialect_named=dialect_named(dialect).title,
             error=error.sentence,
         )
-        raise ProgramError("not-convertible", what, place=error.place or Place(file)) from error
+        advice = "change that, or let the CAM program write it for this controller"
+        raise ProgramError("not-convertible", what, place=error.place or Place(file), advice=advice) from error
     lines = program_lines(text)
     made = text if found is None else found.made.text
     origins = (min(number, len(lines)) for number in range(1, len(program_lines(made)) + 1))

@@ -160,10 +160,13 @@ def _is_more(other: _PlacedEvent, options: WriteOptions, changes: set[int]) -> b
     return other.event.kind == "dwell" and options.spin_up_s > 0
 
 
+BY_HAND = "write that place by hand, and please report it, with the program"
+
+
 def _event_differs(event: Event, file: str) -> ProgramError:
     what = "the actions between the moves would change"
     value = f"{event.kind} {event.text or f'{event.value:g}'}".strip()
-    return ProgramError("convert-differs", what, value=value, place=Place(file, event.line))
+    return ProgramError("convert-differs", what, value=value, place=Place(file, event.line), advice=BY_HAND)
 
 
 ROUNDING = 1.01  # last digits by which the end of a move may differ: half of one by the writer, and the numbers' own
@@ -291,4 +294,6 @@ def _require(same: np.ndarray, what: str, old: Side, rows: np.ndarray, file: str
 
 def _differs(what: str, old: Side, row: int, file: str) -> ProgramError:
     value = " ".join(f"{axis}{place:.4f}" for axis, place in zip("XYZ", old.ends[row], strict=True))
-    return ProgramError("convert-differs", what, value=value, place=Place(file, int(old.table.line[row])))
+    return ProgramError(
+        "convert-differs", what, value=value, place=Place(file, int(old.table.line[row])), advice=BY_HAND
+    )

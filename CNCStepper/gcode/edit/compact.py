@@ -261,7 +261,8 @@ def compact(
     that has subroutines or loops, or a tolerance that is not above 0.
     """
     if not tolerance_mm > 0:
-        raise ProgramError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+        advice = "give a tolerance above 0"
+        raise ProgramError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm", advice=advice)
     language, source = dialect_named(dialect), Lines(text)
     require_straight(text, language, file)
     lines: list[str] = []

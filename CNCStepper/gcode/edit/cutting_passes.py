@@ -57,7 +57,7 @@ class Rows:
         """Return the state of a row."""
         return self.source.toolpath.states[int(self.table.state[row])]
 
-    def refusal(self, row: int, code: str, what: str, advice: str = "") -> ProgramError:
+    def refusal(self, row: int, code: str, what: str, advice: str) -> ProgramError:
         """Return the error that names a row's line."""
         number = self.line[row]
         text = self.source.lines.lines[number - 1].strip()

@@ -29,7 +29,8 @@ def scale_feeds(
     stands in another file, and one that is the lead of a thread.
     """
     if not factor > 0:
-        raise ProgramError("edit-feed", "the factor must be above 0", value=f"{factor:g}")
+        advice = "give a factor above 0"
+        raise ProgramError("edit-feed", "the factor must be above 0", value=f"{factor:g}", advice=advice)
     old = _read(text, dialect_named(dialect), start, file)
     _require_no_lead(old, dialect_named(dialect), file)
     source = Lines(text)
@@ -41,7 +42,8 @@ def scale_feeds(
     new = interpret(edited.text, start, dialect, file)
     require_same_path(old, new, edited, file, factor)
     if (new.table().feed[new.table().kind != RAPID] <= 0).any():
-        raise ProgramError("edit-feed", "a feed would become 0", value=f"{factor:g}", place=Place(file, 1))
+        what, advice = "a feed would become 0", "give a larger factor"
+        raise ProgramError("edit-feed", what, value=f"{factor:g}", place=Place(file, 1), advice=advice)
     return edited
 
 
@@ -81,5 +83,5 @@ def _scaled(token: Token, factor: float, place: Place) -> str:
     if token.number and not text.strip("0."):
         what = "the feed would round to 0"
         there = Place(place.file, place.line, token.begin + 1)
-        raise ProgramError("edit-feed", what, value=f"F{token.written}", place=there)
+        raise ProgramError("edit-feed", what, value=f"F{token.written}", place=there, advice="give a larger factor")
     return text

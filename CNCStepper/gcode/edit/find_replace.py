@@ -39,9 +39,9 @@ def replace(
     try:
         lines = [_line(line, search, put, comments) for line in source.lines]
     except (re.error, IndexError) as error:
-        raise ProgramError(
-            "edit-pattern", Text("the replacement cannot be made: {error}", error=error), value=new[:40]
-        ) from None
+        what = Text("the replacement cannot be made: {error}", error=error)
+        advice = "name only groups that the pattern has, and write each backslash twice"
+        raise ProgramError("edit-pattern", what, value=new[:40], advice=advice) from None
     if lines == source.lines:
         advice = "look at its case, or look in comments too"
         raise ProgramError(
@@ -69,9 +69,8 @@ def _search(find: str, pattern: bool, code_only: bool, ignore_case: bool) -> re.
     try:
         return re.compile(expression, re.IGNORECASE if ignore_case else 0)
     except re.error as error:
-        raise ProgramError(
-            "edit-pattern", Text("the pattern cannot be read: {error}", error=error), value=find[:40]
-        ) from None
+        what, advice = Text("the pattern cannot be read: {error}", error=error), "correct it, or find it as plain text"
+        raise ProgramError("edit-pattern", what, value=find[:40], advice=advice) from None
 
 
 def _line(line: str, search: re.Pattern[str], put: str | Callable, comments: bool) -> str:

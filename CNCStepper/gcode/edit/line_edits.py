@@ -14,7 +14,7 @@ import numpy as np
 
 from CNCStepper.errors import ProgramError, Text
 from CNCStepper.gcode.dialects.codes import AXES, UNIT_CODES
-from CNCStepper.gcode.edit.line_states import WITHOUT_CYCLES, Meaning
+from CNCStepper.gcode.edit.line_states import EXPAND, WITHOUT_CYCLES, Meaning
 from CNCStepper.gcode.edit.line_tokens import Edit, Token
 from CNCStepper.gcode.edit.path_transforms import TransformState
 from CNCStepper.gcode.edit.word_values import (
@@ -128,10 +128,10 @@ class LineWords:
         zero = "0" if token.written.startswith("0") else ""
         self.made.append((token.first, token.last, zero + name[1:]))
 
-    def refused(self, code: str, what: str, token: Token, advice: str = "") -> ProgramError:
+    def refused(self, code: str, what: str, token: Token, advice: str) -> ProgramError:
         """Return the error that names this line and a word."""
         value = token.letter + token.written
-        return self.state.source.refusal(self.number, code, what, token.begin + 1, value, advice)
+        return self.state.source.refusal(self.number, code, what, token.begin + 1, value, advice=advice)
 
 
 ARCS = {"G2": "G3", "G3": "G2"}
@@ -281,9 +281,8 @@ class Line(ArcWords):
         if any(token.name == THREAD_CYCLE for token in self.tokens):
             what = "the words of G76 are the depths and angles of a thread, which no path edit changes"
             return self.refused("edit-code", what, self.tokens[0], WITHOUT_CYCLES)
-        return self.refused(
-            "edit-code", Text("the words of {codes} are not edited", codes=self._codes()), self.tokens[0]
-        )
+        what = Text("the words of {codes} are not edited", codes=self._codes())
+        return self.refused("edit-code", what, self.tokens[0], EXPAND)
 
     def _check_lead(self) -> None:
         """Refuse to scale a cut that follows the spindle: its lead would stay."""
@@ -301,11 +300,9 @@ class Line(ArcWords):
         self._check_relative(axes, absolute)
         coupled = self.coupled(axes)
         if self.owner in ("G28", "G30") and set(coupled) != set(axes):
-            raise self.refused(
-                "edit-home",
-                Text("{owner} by way of a place cannot be turned", owner=self.owner),
-                self.words[letters[0]],
-            )
+            what = Text("{owner} by way of a place cannot be turned", owner=self.owner)
+            advice = Text("write a G0 to that place, and {owner} alone on the next line", owner=self.owner)
+            raise self.refused("edit-home", what, self.words[letters[0]], advice)
         values = {axis: self.value(AXES[axis], axis if absolute else -1) for axis in self.needed(axes)}
         for axis in coupled:
             terms = [(self.where.rows[axis][other], values[other]) for other in values]
@@ -342,7 +339,8 @@ class Line(ArcWords):
         for letter in [*by_kind.get("length", []), *by_kind.get("machine", [])]:
             self.put(letter, Value.of(self.words[letter], self.from_mm), -1)
         if self.owner == "G52" and not self.where.moves_only:
-            raise self.refused("edit-zero", "G52 moves the zero about which the path is changed", self.tokens[0])
+            what = "G52 moves the zero about which the path is changed"
+            raise self.refused("edit-zero", what, self.tokens[0], "use a work offset (G54) instead")
         self._feed()
 
     def _vector(self, letters: list[str], pair: str) -> None:
@@ -400,9 +398,8 @@ class Line(ArcWords):
     def _check_axes(self) -> None:
         other = next((token for token in self.tokens if token.letter in OTHER_AXES), None)
         if other is not None and not self.where.units:
-            raise self.refused(
-                "edit-axis", Text("only X, Y and Z are edited, not {letter}", letter=other.letter), other
-            )
+            what = Text("only X, Y and Z are edited, not {letter}", letter=other.letter)
+            raise self.refused("edit-axis", what, other, "leave those axes out")
 
     def _codes(self) -> str:
         names = [token.name or token.letter + token.written for token in self.tokens if token.letter in "GM"]

@@ -79,10 +79,12 @@ class Source:
         try:
             return tokens_of(self.lines.lines[number - 1])
         except ProgramError as error:
-            raise self.refusal(number, error.code, error.what, error.place.column if error.place else 0) from None
+            raise self.refusal(
+                number, error.code, error.what, error.place.column if error.place else 0, advice=error.advice
+            ) from None
 
     def refusal(
-        self, number: int, code: str, what: str, column: int = 1, value: str = "", advice: str = ""
+        self, number: int, code: str, what: str, column: int = 1, value: str = "", *, advice: str
     ) -> ProgramError:
         """Return the error that names a line and column."""
         return ProgramError(code, what, value=value, advice=advice, place=Place(self.file, number, column))

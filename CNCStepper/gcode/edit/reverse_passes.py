@@ -49,7 +49,8 @@ def require_reversed(source: Source, rows: Rows, passes: Sequence[Pass], edited:
     new = interpret(edited.text, source.start, source.dialect, source.file)
     good = len(new) == len(source.toolpath) and same_events(source.toolpath, new, COMMENTS)
     if not (good and _same_rows(source.toolpath, new, rows, passes)):
-        raise source.refusal(1, "edit-differs", "the changed program would make other moves")
+        what = "the changed program would make other moves"
+        raise source.refusal(1, "edit-differs", what, advice="please report it, with the program")
 
 
 def _same_rows(old: Toolpath, new: Toolpath, rows: Rows, passes: Sequence[Pass]) -> bool:
@@ -176,7 +177,8 @@ class Rewriter:
             wanted = float(self.rows.end[one.last - 1, axis])
             at = self._at(axis, number)
             if not meaning.absolute and at != at:
-                raise self.rows.refusal(one.travel or 0, "reverse-travel", "where this rapid begins is not known")
+                what = "where this rapid begins is not known"
+                raise self.rows.refusal(one.travel or 0, "reverse-travel", what, "move there with G90 first")
             if AXES[axis] in words or not abs(wanted - at) <= SAME_SUM_MM:
                 edits.append(self._axis_edit(axis, wanted if meaning.absolute else wanted - at, meaning, words))
             self.at[axis] = wanted
@@ -340,7 +342,8 @@ def reverse(text: str, dialect: str | Dialect = "grbl", start: Start | None = No
     rows = Rows(source)
     passes = passes_of(rows)
     if not passes:
-        raise source.refusal(1, "reverse-nothing", "the program cuts along no way at one height")
+        advice = "give a program that cuts along X and Y"
+        raise source.refusal(1, "reverse-nothing", "the program cuts along no way at one height", advice=advice)
     _check(rows, passes)
     edited = Rewriter(source, rows, passes).edited()
     require_reversed(source, rows, passes, edited)

@@ -90,7 +90,8 @@ def split(
             program = part.text(number, len(parts), relies=True)
             if not _same_rows(program, whole, rows[number - 1], rows[number], language, start):
                 what = "the lines after this tool change cannot run on their own"
-                raise ProgramError("split-alone", what, place=Place(file, part.first + 1))
+                advice = "begin them with G90 and a move that names X, Y and Z"
+                raise ProgramError("split-alone", what, place=Place(file, part.first + 1), advice=advice)
         programs.append(ProgramOfTool(number, part.tool, program))
     return programs
 
@@ -146,7 +147,14 @@ def _check(change: _Change, whole: Toolpath, lines: list[str], file: str) -> Non
     if change.place[2] <= highest_cut and change.place[2] < np.nanmax(heights):
         what = "the tool is down while it is changed"
         limit = Text("above {highest_cut:g} mm", highest_cut=highest_cut)
-        raise ProgramError("split-height", what, value=f"Z {change.place[2]:g} mm", limit=limit, place=place)
+        raise ProgramError(
+            "split-height",
+            what,
+            value=f"Z {change.place[2]:g} mm",
+            limit=limit,
+            place=place,
+            advice=Text("lift the tool above {highest_cut:g} mm before the change", highest_cut=highest_cut),
+        )
 
 
 def _sets_length(lines: list[str]) -> bool:

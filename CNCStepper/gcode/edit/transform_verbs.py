@@ -130,7 +130,7 @@ def convert_units(
     language = dialect_named(dialect)
     if UNIT_CODES[units] not in language.codes:
         what = Text("programs of {language} are in one unit only", language=language.title)
-        raise ProgramError("edit-units", what, value=UNIT_CODES[units])
+        raise ProgramError("edit-units", what, value=UNIT_CODES[units], advice="leave its unit as it is")
     source = Source(text, language, start, file)
     at = _place_of_unit_word(source)
     if at is None:

@@ -84,7 +84,7 @@ def require_same_path(old: Toolpath, new: Toolpath, edited: Edited, file: str, f
     )
     if not same or not (same_modes(old, new) & _times(old, new, feed_factor)).all():
         place = Place(file, _parting_line(old, new, edited))
-        raise ProgramError("edit-differs", "the changed program makes other moves", place=place)
+        raise ProgramError("edit-differs", "the changed program makes other moves", place=place, advice=EXPAND)
 
 
 def _times(old: Toolpath, new: Toolpath, factor: float) -> np.ndarray:

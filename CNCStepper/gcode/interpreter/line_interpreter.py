@@ -381,7 +381,8 @@ class Interpreter:
                 raise ProgramError("line-number", "a line number begins with a digit", value="N", advice="write N10")
             if not 0 <= number <= self.dialect.largest_line_number:
                 limit = f"0 to {self.dialect.largest_line_number}"
-                raise ProgramError("line-number", "the line number is out of range", value="N", limit=limit)
+                what, advice = "the line number is out of range", "write a number within the limit, or leave N out"
+                raise ProgramError("line-number", what, value="N", limit=limit, advice=advice)
 
     def _placed(self, error: ProgramError, words: list[Word]) -> ProgramError:
         """Return the error of the line being read, with its place and the word that it blames."""

@@ -271,5 +271,5 @@ class FileReading:
         for piece in byte_pieces(self.path, mark):
             if self._cancelled():
                 place = Place(self._name, self.interpreter.line_number)
-                raise ProgramError("cancelled", "reading was cancelled", place=place)
+                raise ProgramError("cancelled", "reading was cancelled", place=place, advice="read it again")
             yield piece

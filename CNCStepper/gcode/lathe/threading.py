@@ -134,7 +134,8 @@ def run_thread(block: Block, motion: int, before: int) -> None:
         depth = words.first * count ** (1.0 / words.degression)
         if count > MOST_PASSES:
             limit = f"{MOST_PASSES} passes"
-            raise ProgramError("passes-many", "J and R make too many passes", value="J", limit=limit)
+            advice = "make J larger or R smaller"
+            raise ProgramError("passes-many", "J and R make too many passes", value="J", limit=limit, advice=advice)
     for _ in range(words.spring + 1):
         _pass(block, words, words.depth)
     block.move(RAPID, end, None, 0.0)

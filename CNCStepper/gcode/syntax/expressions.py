@@ -72,7 +72,7 @@ class Scanner:
             self.position += len(text)
         return found
 
-    def error(self, code: str, what: str, advice: str = "", begin: int | None = None) -> ProgramError:
+    def error(self, code: str, what: str, advice: str, begin: int | None = None) -> ProgramError:
         """Return the error for the text at `begin`, or here."""
         at = self.position if begin is None else begin
         column = self.columns[min(at, len(self.columns) - 1)] if self.columns else 1
@@ -183,7 +183,9 @@ class Scanner:
         try:
             return float(_WORK[operator](left, right))
         except ZeroDivisionError:
-            raise self.error("divided-by-zero", "the expression divides by 0", "", begin) from None
+            raise self.error(
+                "divided-by-zero", "the expression divides by 0", "correct the expression", begin
+            ) from None
         except (ValueError, OverflowError):
             what = Text("{left:g} {operator} {right:g} is no finite number", left=left, operator=operator, right=right)
             raise self.error("not-finite", what, "correct the expression", begin) from None

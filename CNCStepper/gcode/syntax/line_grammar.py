@@ -129,11 +129,11 @@ class Grammar:
                     "unknown-word",
                 )
             if word.letter in slots:
-                raise ProgramError(
-                    "repeated-word", Text("{letter} is twice on the line", letter=word.letter), value=word.letter
-                )
+                what, advice = Text("{letter} is twice on the line", letter=word.letter), "write it once"
+                raise ProgramError("repeated-word", what, value=word.letter, advice=advice)
             if word.letter == "N" and self.dialect.line_number_first and position:
-                raise ProgramError("line-number", "the N word must be the first of its line", value="N")
+                advice = "write it first, or leave it out"
+                raise ProgramError("line-number", "the N word must be the first of its line", value="N", advice=advice)
             slots[word.letter] = len(slots)
         return slots
 
@@ -223,7 +223,9 @@ class Grammar:
             return codes, users[0].motion or RAPID, has_axes or arc
         if explicit:  # G80
             if has_axes:
-                raise ProgramError("axis-unused", "G80 leaves no motion for the axis words", value=_first_axis(slots))
+                what = "G80 leaves no motion for the axis words"
+                advice = "write them on a line of their own, with G0 or G1"
+                raise ProgramError("axis-unused", what, value=_first_axis(slots), advice=advice)
             return codes, NO_MOTION, False
         repeats_arc = has_centre and modal in (ARC_CW, ARC_CCW) and self.dialect.centre_repeats_arc
         if has_axes or repeats_arc:
@@ -261,10 +263,12 @@ class Grammar:
                         Text("{code} needs a {letter} word", code=code.name, letter=letter),
                         value=code.name,
                         limit=limit,
-                        advice=Text("add {letter}", letter=letter) if limit else "",
+                        advice=Text("add {letter}", letter=letter),
                     )
             if code.axes == "must" and not any(axis in slots for axis in ALL_AXES + POLAR):
-                raise ProgramError("missing-axis", Text("{code} needs X, Y or Z", code=code.name), value=code.name)
+                raise ProgramError(
+                    "missing-axis", Text("{code} needs X, Y or Z", code=code.name), value=code.name, advice="add one"
+                )
         for letter in slots:
             if letter not in allowed:
                 what = Text("no code on this line uses the word {letter}", letter=letter)

@@ -230,7 +230,7 @@ def not_a_word(packed: str, position: int, columns: list[int]) -> ProgramError:
             advice = "write the words with plain numbers"
             return _error("not-supported", _COMPUTED[character], columns[position], run, advice)
     if letter in _MISPLACED:
-        return _error("misplaced", _MISPLACED[letter], columns[position], run)
+        return _error("misplaced", _MISPLACED[letter], columns[position], run, "take it out")
     if letter.isascii() and letter.isalpha():
         what = Text("the word {letter} has no number that can be read", letter=letter)
         return _error("bad-number", what, columns[position], run, "write a decimal number after the letter")
@@ -240,7 +240,7 @@ def not_a_word(packed: str, position: int, columns: list[int]) -> ProgramError:
     return _error("unknown-character", "a word is a letter and a number", columns[position], run, advice)
 
 
-def _error(code: str, what: str, column: int, value: str, advice: str = "") -> ProgramError:
+def _error(code: str, what: str, column: int, value: str, advice: str) -> ProgramError:
     return ProgramError(code, what, advice=advice, value=value[:40], place=Place(column=column))
 
 

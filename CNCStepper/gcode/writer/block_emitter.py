@@ -212,7 +212,8 @@ class BlockEmitter:
         limit = self.dialect.line_limit
         if limit and len(line) >= limit:
             what = "a line does not fit the controller's buffer"
-            raise ProgramError("line-too-long", what, value=line, limit=f"{limit - 1} characters")
+            advice = "make the message in it shorter"
+            raise ProgramError("line-too-long", what, value=line, limit=f"{limit - 1} characters", advice=advice)
         self.lines.append(line)
 
     def _next_number(self) -> str:
@@ -477,7 +478,10 @@ class BlockEmitter:
         number = self.grid.short(feed_mm_min / unit_mm_min)
         if number in ("", "0") or not feed_mm_min > 0:
             raise ProgramError(
-                "no-feed", "a cutting move has no feed", value=Text("{feed_mm_min:g} mm/min", feed_mm_min=feed_mm_min)
+                "no-feed",
+                "a cutting move has no feed",
+                value=Text("{feed_mm_min:g} mm/min", feed_mm_min=feed_mm_min),
+                advice="raise the feed",
             )
         self._check_feed(float(number) * self.grid.unit_mm * unit_mm_min, feed_mm_min)
         word = self._feeds[feed_mm_min] = f"F{self.with_point(number)}"

@@ -102,7 +102,8 @@ class Switches:
         """Change to `tool`; the `first` one is named only, for later ones the operator is asked."""
         if tool > self.dialect.largest_tool:
             limit = Text("at most {largest_tool}", largest_tool=self.dialect.largest_tool)
-            raise ProgramError("tool-number", "the tool number is too large", value=f"T{tool}", limit=limit)
+            what, advice = "the tool number is too large", "give the tool a smaller number"
+            raise ProgramError("tool-number", what, value=f"T{tool}", limit=limit, advice=advice)
         description = self.options.tools.get(tool, "")
         by_m6 = self.options.tool_change == "m6" or not self.dialect.tool_word_changes
         if by_m6 or not first:

@@ -47,12 +47,14 @@ class Blocks:
                 index=known.index + 1,
                 known_file=known.source.file or "the text",
             )
-            raise refused(line, "label-twice", what)
+            raise refused(line, "label-twice", what, "give one of the two another label")
         self._note(line, label, source, index)
 
     def _note(self, line: FlowLine, label: str, source: Source, index: int) -> None:
         if len(self.labels) >= MOST_LABELS:
-            raise refused(line, "too-many-labels", "the program has too many labels", str(MOST_LABELS))
+            raise refused(
+                line, "too-many-labels", "the program has too many labels", "split the program", str(MOST_LABELS)
+            )
         self.labels[label] = Label(line.keyword, source, index)
 
     def follow(self, line: FlowLine, label: str, test: float, source: Source, index: int) -> bool:
@@ -89,7 +91,7 @@ class Blocks:
                 keywords=one_of(keywords),
                 line2=line.label,
             )
-            raise refused(line, "no-label", what)
+            raise refused(line, "no-label", what, "write one before it, or correct the label")
 
     # branches
 
@@ -154,7 +156,7 @@ class Blocks:
         return False
 
 
-def refused(line: FlowLine, code: str, what: str, limit: str = "") -> ProgramError:
+def refused(line: FlowLine, code: str, what: str, advice: str, limit: str = "") -> ProgramError:
     """Return the refusal of a line."""
     value = line.keyword.upper() if line.keyword in ("m98", "m99") else f"{line.label} {line.keyword}".strip()
-    return ProgramError(code, what, value=value, limit=limit, place=Place(column=line.column))
+    return ProgramError(code, what, value=value, limit=limit, place=Place(column=line.column), advice=advice)

@@ -70,7 +70,8 @@ class NumberedBlocks:
         for index in range(begin, end):
             if names_blocks(self._lines[index]):
                 what, place = "a profile may not hold a cycle", Place(reader.file, index + 1)
-                raise ProgramError("profile", what, value=self._lines[index].strip()[:40], place=place)
+                advice = "write the cycle outside of it, or correct the numbers of its first and its last block"
+                raise ProgramError("profile", what, value=self._lines[index].strip()[:40], place=place, advice=advice)
             reader.line_at(self._lines[index], index + 1, Place(reader.file, index + 1))
             yield
         reader.rapid_back(back)

@@ -134,9 +134,8 @@ class Flow:
             left -= 1
             if left < 0:
                 what = "the program runs on and on: is there a loop without an end?"
-                raise self._error(
-                    "endless", what, limit=Text("{lines} lines more than the text has", lines=self.limits.lines)
-                )
+                limit = Text("{lines} lines more than the text has", lines=self.limits.lines)
+                raise self._error("endless", what, "correct its condition, or split the program", limit)
             self._line(text)
             yield
         if not self.interpreter.ended:
@@ -146,14 +145,14 @@ class Flow:
         """Refuse a text that is over before the end of what was opened."""
         if self._seeking:
             what = Text("there is no subroutine o<{seeking}>", seeking=self._seeking)
-            raise self._error("no-subroutine", what, advice="define it, or put its file beside the program")
+            raise self._error("no-subroutine", what, "define it, or put its file beside the program")
         if self.blocks.skipping:
             name = self.blocks.skipping.rpartition("#")[2]
             what = Text("o{name} has no end: the text is over, and it is still being skipped", name=name)
-            raise self._error("no-o-end", what, advice="write its endif, endwhile, endrepeat, while or endsub")
+            raise self._error("no-o-end", what, "write its endif, endwhile, endrepeat, while or endsub")
         if self.calls:
             what = Text("the subroutine o<{call}> has no end", call=self.calls[-1].name)
-            raise self._error("no-endsub", what, advice="write endsub, or M99 in a subprogram of Fanuc's form")
+            raise self._error("no-endsub", what, "write endsub, or M99 in a subprogram of Fanuc's form")
 
     def _line(self, text: str) -> None:
         reader = self.interpreter
@@ -198,7 +197,8 @@ class Flow:
                 left -= 1
                 if left < 0 or self.index >= len(self.source.lines):
                     self._text_over()
-                    raise self._error("endless", "the profile has no end", limit=f"{self.limits.lines} lines")
+                    limit = f"{self.limits.lines} lines"
+                    raise self._error("endless", "the profile has no end", "correct its loops", limit)
                 self.index += 1
                 self._line(self.source.lines[self.index - 1])
         finally:
@@ -220,7 +220,8 @@ class Flow:
             line.name = self.calls[-1].name
         label = line.name if line.keyword in GLOBAL else f"{self._scope()}#{line.name}"
         if line.keyword in ("sub", "") and self._defining:
-            raise refused(line, "nested-sub", "a subroutine may not be defined inside another one")
+            what = "a subroutine may not be defined inside another one"
+            raise refused(line, "nested-sub", what, "write it before or after the other one")
         if self._defining and line.keyword not in ("endsub", "return"):
             return
         if self.blocks.skipping and self.blocks.skipping != label:
@@ -255,7 +256,7 @@ class Flow:
         """Begin to run a subroutine, or skip the text of one where it is defined."""
         if self.calls and self.calls[-1].fanuc != (line.keyword == ""):
             what = "o<name> sub is called by o<name> call" if self.calls[-1].fanuc else "O1234 is called by M98 P1234"
-            raise refused(line, "wrong-call", what)
+            raise refused(line, "wrong-call", what, "correct the call")
         if self.blocks.skipping:
             self.blocks.define(line, label, self.source, self.index - 1)
             self.blocks.skipping = ""
@@ -267,14 +268,15 @@ class Flow:
     def _return(self, line: FlowLine) -> None:
         if not self.calls:
             if not self._defining:
-                raise refused(line, "not-in-sub", Text("{line} is outside any subroutine", line=line.keyword))
+                advice = "take it out, or end with M2"
+                raise refused(line, "not-in-sub", Text("{line} is outside any subroutine", line=line.keyword), advice)
             if line.keyword == "endsub":
                 self.blocks.skipping = self._defining = ""
             return
         call = self.calls[-1]
         if call.fanuc != (line.keyword == "m99"):
             what = "O1234 ends with M99" if call.fanuc else "o<name> sub ends with o<name> endsub"
-            raise refused(line, "wrong-return", what)
+            raise refused(line, "wrong-return", what, "write that as its last line")
         if line.keyword == "endsub":
             self.blocks.skipping = ""
         self.calls.pop()
@@ -286,7 +288,8 @@ class Flow:
         if fanuc and not self._rounds(line):
             return
         if len(self.calls) >= self.limits.calls:
-            raise refused(line, "too-many-calls", "subroutines call each other too deep", str(self.limits.calls))
+            what, advice = "subroutines call each other too deep", "let fewer of them call each other"
+            raise refused(line, "too-many-calls", what, advice, str(self.limits.calls))
         back = self.index - 1 if fanuc and len(self.calls) in self._rounds_left else self.index
         self.calls.append(_Call(line.name, fanuc, self.source, back, self.index))
         self.interpreter.model.parameters.enter(None if fanuc else line.arguments)
@@ -310,5 +313,6 @@ class Flow:
             self.source, self.index = source, 0
         self.blocks.skipping = self._seeking = label
 
-    def _error(self, code: str, what: str, **more: str) -> ProgramError:
-        return ProgramError(code, what, place=Place(self.source.file, self.index, 1), **more)
+    def _error(self, code: str, what: str, advice: str, limit: str = "") -> ProgramError:
+        place = Place(self.source.file, self.index, 1)
+        return ProgramError(code, what, advice=advice, limit=limit, place=place)

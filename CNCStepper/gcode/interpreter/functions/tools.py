@@ -34,7 +34,13 @@ def read_tool_table(text: str, unit_mm: float = 1.0, file: str = "") -> dict[int
             continue
         if "T" not in items or int(float(items["T"])) in tools:
             what = "a line of a tool table names one tool, and no other line names it"
-            raise ProgramError("tool-table", what, value=items.get("T", ""), place=Place(file, number, 1))
+            raise ProgramError(
+                "tool-table",
+                what,
+                value=items.get("T", ""),
+                place=Place(file, number, 1),
+                advice="write T and a number of its own in each line",
+            )
         tools[int(float(items["T"]))] = _entry(items, unit_mm)
     return tools
 

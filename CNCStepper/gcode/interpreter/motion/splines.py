@@ -82,7 +82,9 @@ def control_point(block: Block, motion: int, before: int) -> None:
     if nurbs and weight <= 0:
         raise ProgramError("bad-value", "a control point needs a weight P above 0", value="G5.2", advice="add P")
     if nurbs and "X" not in slots:
-        raise ProgramError("missing-word", "only the first control point goes without X and Y", value="G5.2")
+        raise ProgramError(
+            "missing-word", "only the first control point goes without X and Y", value="G5.2", advice="add X and Y"
+        )
     _check_feed(block, motion)
     if nurbs is None:
         own = weight if "X" not in slots and weight > 0 else 1.0

@@ -80,7 +80,8 @@ class Parameters:
         """Give `#<name>` a value, pending until `commit`; raises ProgramError when there are too many names."""
         if len(self._values) + len(self._pending) > _MOST_NAMES:
             what = "the program has too many parameters"
-            raise ProgramError("too-many-parameters", what, value=f"#<{name}>", limit=str(_MOST_NAMES))
+            advice = "use fewer, or split the program"
+            raise ProgramError("too-many-parameters", what, value=f"#<{name}>", limit=str(_MOST_NAMES), advice=advice)
         self._pending[self._key(name)] = value
 
     def _key(self, name: str) -> Key:
@@ -178,7 +179,8 @@ def read_parameters(text: str, file: str = "") -> dict[int, float]:
         number, value = _entry(line, Place(file, count, 1))
         if number <= last:
             what = "the parameters of the file are not in the order of their numbers"
-            raise ProgramError("parameter-file", what, value=str(number), place=Place(file, count, 1))
+            advice = "sort its lines by number, each once"
+            raise ProgramError("parameter-file", what, value=str(number), place=Place(file, count, 1), advice=advice)
         numbers[number] = value
         last = number
     return numbers
@@ -194,7 +196,8 @@ def _entry(line: str, place: Place) -> tuple[int, float]:
     if not 1 <= entry[0] <= LARGEST or not abs(entry[1]) < float("inf"):
         what = "a line of a parameter file is the number of a parameter and its value"
         limit = Text("numbers 1 to {largest}", largest=LARGEST)
-        raise ProgramError("parameter-file", what, value=line.strip()[:40], limit=limit, place=place)
+        advice = "write a line such as: 5221 12.5"
+        raise ProgramError("parameter-file", what, value=line.strip()[:40], limit=limit, place=place, advice=advice)
     return entry
 
 
@@ -206,7 +209,13 @@ def with_parameters(start: Start, numbers: dict[int, float]) -> Start:
     system = numbers.get(WORK_SYSTEM, 1.0)
     if system not in range(1, len(WORK_SYSTEMS) + 1):
         what = "parameter 5220 names no work system"
-        raise ProgramError("parameter-file", what, value=f"{system:g}", limit=f"1 to {len(WORK_SYSTEMS)}")
+        raise ProgramError(
+            "parameter-file",
+            what,
+            value=f"{system:g}",
+            limit=f"1 to {len(WORK_SYSTEMS)}",
+            advice="write 1 for G54, 2 for G55 and so on",
+        )
     parameters, unit_mm = Parameters(numbers), start.machine_unit_mm
     offsets = {name: stored_point(parameters, offset_number(name), unit_mm) for name in WORK_SYSTEMS}
     g92_mm = stored_point(parameters, FIRST_G92, unit_mm) if numbers.get(G92_IN_FORCE) else ZERO3
