@@ -106,7 +106,8 @@ class Curve(Columns):
     def scaled(self, factor: float) -> Curve:
         """Return the curve scaled about the origin; factor must be positive."""
         if not factor > 0:
-            raise GeometryError("curve-scale", "a scale must be positive", value=f"{factor:g}")
+            advice = "give a factor above 0"
+            raise GeometryError("curve-scale", "a scale must be positive", value=f"{factor:g}", advice=advice)
         return Curve(self.xy * factor, self.bulge.copy())
 
     def mirrored_x(self) -> Curve:
@@ -121,7 +122,8 @@ class Curve(Columns):
         linear = np.asarray(matrix, float)[:2, :2]
         sizes, turns = np.linalg.svd(linear, compute_uv=False), float(np.linalg.det(linear))
         if not sizes[1] > 0.0:
-            raise GeometryError("curve-scale", "a transform must not collapse the curve", value=f"scale {sizes[1]:g}")
+            what, advice = "a transform must not collapse the curve", "give each axis a scale other than 0"
+            raise GeometryError("curve-scale", what, value=f"scale {sizes[1]:g}", advice=advice)
         if self.bulge.any() and sizes[0] - sizes[1] > SAME_SCALE * sizes[0]:
             raise GeometryError(
                 "curve-uneven",
@@ -160,6 +162,7 @@ class Curve(Columns):
                 "curve-part",
                 "a part must have a length",
                 value=Text("{first_mm:g} to {last_mm:g} mm", first_mm=first_mm, last_mm=last_mm),
+                advice="let it end after its begin",
             )
         return self._stretch(begin_mm, end_mm)
 
@@ -187,14 +190,16 @@ class Curve(Columns):
         """
         keep = np.flatnonzero(self.lengths_mm > shortest_mm)
         if not len(keep):
-            raise GeometryError("curve-short", "the curve has no length", value=f"{self.length_mm:g} mm")
+            advice = "draw it larger, or leave it out"
+            raise GeometryError("curve-short", "the curve has no length", value=f"{self.length_mm:g} mm", advice=advice)
         xy = np.vstack([self.xy[keep], self.xy[-1:]])
         return Curve(xy, self.bulge[keep])
 
     def points(self, tolerance_mm: float) -> np.ndarray:
         """Return points on the curve, float64[m, 2], whose chords stay within `tolerance_mm` of it."""
         if not tolerance_mm > 0:
-            raise GeometryError("curve-tolerance", "a tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+            what, advice = "a tolerance must be above 0", "give a tolerance above 0"
+            raise GeometryError("curve-tolerance", what, value=f"{tolerance_mm:g} mm", advice=advice)
         _, parts = self.segments.divided(self._chords(tolerance_mm))
         return np.vstack([self.xy[:1], xy_of(parts.end)])
 
@@ -232,7 +237,7 @@ class Curve(Columns):
 
     def _require_closed(self) -> None:
         if not self.closed:
-            raise GeometryError("curve-open", "the curve is open, a closed one is needed")
+            raise GeometryError("curve-open", "the curve is open, a closed one is needed", advice="close it")
 
     def _vertices(self, first: int, last: int) -> Curve:
         return Curve.trusted(self.xy[first : last + 1], self.bulge[first:last])
@@ -281,6 +286,7 @@ def joined(curves: Iterable[Curve]) -> Curve:
     for before, after in itertools.pairwise(parts):
         gap_mm = math.dist(after.xy[0].tolist(), before.xy[-1].tolist())
         if gap_mm > 1e-6:
-            raise GeometryError("curve-gap", "curves do not meet", value=f"{gap_mm:g} mm", limit="0.000001 mm")
+            what, advice = "curves do not meet", "let each begin where the one before ends"
+            raise GeometryError("curve-gap", what, value=f"{gap_mm:g} mm", limit="0.000001 mm", advice=advice)
     xy = np.concatenate([parts[0].xy, *(part.xy[1:] for part in parts[1:])])
     return Curve.trusted(xy, np.concatenate([part.bulge for part in parts]))

@@ -148,6 +148,7 @@ class Columns:
                 "curve-short",
                 "a curve needs at least two points and a bulge for each segment",
                 value=Text("{xy} points, {bulge} bulges", xy=len(xy), bulge=len(bulge)),
+                advice="give two points or more, and one bulge fewer",
             )
         require_lengths(xy)
         rise_mm = np.abs(bulge) * np.hypot(*np.diff(xy, axis=0).T) / 2.0
@@ -156,6 +157,7 @@ class Columns:
                 "curve-range",
                 "a bulge is not that of an arc in mm",
                 limit=Text("{limit_mm:g} mm high", limit_mm=LIMIT_MM),
+                advice="draw a flatter arc",
             )
         object.__setattr__(self, "xy", xy)
         object.__setattr__(self, "bulge", np.where(rise_mm > STRAIGHT_MM, bulge, 0.0))
@@ -228,14 +230,17 @@ def numbers_of(values: Any) -> np.ndarray:
     try:
         return np.array(values, float, order="C")
     except (TypeError, ValueError, OverflowError) as error:
-        raise GeometryError("curve-numbers", Text("not the numbers of a curve: {error}", error=error)) from error
+        raise GeometryError(
+            "curve-numbers", Text("not the numbers of a curve: {error}", error=error), advice="give numbers only"
+        ) from error
 
 
 def pairs_of(values: Any) -> np.ndarray:
     """Return values as float64[n, 2]; raises GeometryError when they are not pairs."""
     xy = numbers_of(values)
     if xy.size and (xy.ndim != 2 or xy.shape[1] != 2):
-        raise GeometryError("curve-pairs", "points are not pairs of x and y", value=f"shape {xy.shape}")
+        advice = "give each point an x and a y"
+        raise GeometryError("curve-pairs", "points are not pairs of x and y", value=f"shape {xy.shape}", advice=advice)
     return xy.reshape(-1, 2)
 
 
@@ -247,4 +252,5 @@ def require_lengths(xy: np.ndarray) -> None:
             "a coordinate is not a length in mm",
             value=f"{xy[~(np.abs(xy) <= LIMIT_MM)][0]:g} mm",
             limit=f"{LIMIT_MM:g} mm",
+            advice="correct the value or its unit",
         )

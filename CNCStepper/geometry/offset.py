@@ -68,7 +68,8 @@ def parallels(curve: Curve, distance_mm: float, tolerance_mm: float) -> list[Cur
     itself or turns too sharply, they are cut off. Pieces shorter than the tolerance are left out.
     """
     if not (tolerance_mm > 0 and np.isfinite(distance_mm)):
-        raise GeometryError("offset-tolerance", "a tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+        what, advice = "a tolerance must be above 0", "give a tolerance above 0"
+        raise GeometryError("offset-tolerance", what, value=f"{tolerance_mm:g} mm", advice=advice)
     if abs(distance_mm) <= SAME_MM:
         return [curve]
     if distance_mm < 0:

@@ -118,9 +118,11 @@ class Region:
         """
         checkpoint()
         if not tolerance_mm > 0:
-            raise GeometryError("offset-tolerance", "a tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+            what, advice = "a tolerance must be above 0", "give a tolerance above 0"
+            raise GeometryError("offset-tolerance", what, value=f"{tolerance_mm:g} mm", advice=advice)
         if not np.isfinite(distance_mm):
-            raise GeometryError("offset-distance", "a distance must be a number", value=f"{distance_mm:g} mm")
+            what, advice = "a distance must be a number", "give a finite number"
+            raise GeometryError("offset-distance", what, value=f"{distance_mm:g} mm", advice=advice)
         if self.empty or abs(distance_mm) <= SAME_MM:
             return self
         if distance_mm < 0:
@@ -156,9 +158,8 @@ def _require_closed(curves: Sequence[Curve]) -> None:
     for curve in curves:
         if not curve.closed:
             gap_mm = float(np.hypot(*(curve.xy[-1] - curve.xy[0])))
-            raise GeometryError(
-                "region-open", "an outline or island is open", value=Text("gap {gap_mm:g} mm", gap_mm=gap_mm)
-            )
+            what, advice = "an outline or island is open", "close it"
+            raise GeometryError("region-open", what, value=Text("gap {gap_mm:g} mm", gap_mm=gap_mm), advice=advice)
 
 
 def _has_length(curve: Curve) -> bool:
@@ -171,7 +172,8 @@ def _holder(outers: Sequence[Curve], hole: Curve) -> int:
     for index, outer in enumerate(outers):
         if (outer.winding(places) > 0).sum() > 4:
             return index
-    raise GeometryError("region-hole", "a hole lies in no outline", value=f"at {hole.xy[0, 0]:g}, {hole.xy[0, 1]:g}")
+    what, advice = "a hole lies in no outline", "draw an outline round it, or leave it out"
+    raise GeometryError("region-hole", what, value=f"at {hole.xy[0, 0]:g}, {hole.xy[0, 1]:g}", advice=advice)
 
 
 def _bounds(curves: Sequence[Curve], outlines: int) -> Bundle:

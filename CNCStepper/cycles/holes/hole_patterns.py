@@ -74,7 +74,8 @@ class Grid(GridParameters, _Pattern):
         """Return the holes row by row."""
         if self.count[0] * self.count[1] > MOST_HOLES:
             value, limit = f"{self.count[0]} x {self.count[1]} holes", f"{MOST_HOLES} holes"
-            raise CycleError("holes-many", "the grid has too many holes", value=value, limit=limit)
+            advice = "drill it in several operations"
+            raise CycleError("holes-many", "the grid has too many holes", value=value, limit=limit, advice=advice)
         cos, sin = math.cos(math.radians(self.rotation_deg)), math.sin(math.radians(self.rotation_deg))
         (x, y), (dx, dy) = self.origin_mm, self.spacing_mm
         steps = ((i * dx, k * dy) for k in range(self.count[1]) for i in range(self.count[0]))

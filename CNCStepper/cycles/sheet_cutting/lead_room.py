@@ -28,7 +28,7 @@ class NoScrap(CycleError):
     """There is no scrap for a pierce; scrap_mm: the width of scrap that would hold it."""
 
     def __init__(self, code: str, what: Text, *, value: Text, scrap_mm: float):
-        super().__init__(code, what, value=value)
+        super().__init__(code, what, value=value, advice=NO_PIERCE_MM)
         self.scrap_mm = scrap_mm
 
     def with_most(self, pierce_mm: float | None) -> CycleError:

@@ -27,6 +27,8 @@ from CNCStepper.tolerances import COINCIDENT_MM
 ROUND = 1e-9  # an ellipse whose axes differ by less, relatively, is a circle
 BROKEN = (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError)
 MOST_WORDS = 255
+REDRAW = "draw it again, or make a polyline of it"
+ON_XY = "draw it on the XY plane or on one parallel to it"
 MOST_DEGREE = 25
 MOST_SAMPLES = 20_000_000  # places of a curve that are looked at
 MOST_SAMPLES_OF_ALL = 40_000_000  # the same, of all curves of a drawing: about a minute
@@ -55,7 +57,7 @@ class Fits:
             if self._looked_at > MOST_SAMPLES_OF_ALL:
                 raise _too_long()
             if self._looked_at > most:
-                raise GeometryError("dxf-spline", "it is too long for its tolerance")
+                raise GeometryError("dxf-spline", "it is too long for its tolerance", advice="take a larger tolerance")
             return point(t)
 
         return counting
@@ -81,7 +83,8 @@ def curve_of(entity: Any, fits: Fits) -> Curve:
     """Return an entity as a curve in its unit; raises GeometryError with the reason when it is none."""
     reader = READERS.get(entity.dxftype())
     if reader is None:
-        raise GeometryError("dxf-kind", "nothing that a tool could follow")
+        advice = "draw it as lines, arcs, circles, polylines, ellipses or splines"
+        raise GeometryError("dxf-kind", "nothing that a tool could follow", advice=advice)
     _require_numbers(entity)
     try:
         curve = reader(entity, fits)
@@ -89,9 +92,9 @@ def curve_of(entity: Any, fits: Fits) -> Curve:
         raise
     except BROKEN as error:  # of ezdxf and numpy, on numbers that make no curve
         why = printable(str(error), MOST_WORDS) or type(error).__name__
-        raise GeometryError("dxf-broken", Text("its numbers make no curve: {why}", why=why)) from error
+        raise GeometryError("dxf-broken", Text("its numbers make no curve: {why}", why=why), advice=REDRAW) from error
     if curve.length_mm <= COINCIDENT_MM:
-        raise GeometryError("curve-short", "the curve has no length")
+        raise GeometryError("curve-short", "the curve has no length", advice="draw it larger, or leave it out")
     return curve
 
 
@@ -100,7 +103,10 @@ def _require_numbers(entity: Any) -> None:
     for name, value in entity.dxfattribs().items():
         if not _within(value):
             raise GeometryError(
-                "dxf-number", Text("its {name} is no number in bounds", name=name), limit=f"{LARGEST:g}"
+                "dxf-number",
+                Text("its {name} is no number in bounds", name=name),
+                limit=f"{LARGEST:g}",
+                advice=REDRAW,
             )
 
 
@@ -144,7 +150,7 @@ def _light_polyline(entity: Any, _: Fits) -> Curve:
 
 def _polyline(entity: Any, _: Fits) -> Curve:
     if not (entity.is_2d_polyline or entity.is_3d_polyline):
-        raise GeometryError("dxf-mesh", "a mesh and no line")
+        raise GeometryError("dxf-mesh", "a mesh and no line", advice="draw its outline as a polyline")
     vertices = [vertex for vertex in entity.vertices if not vertex.dxf.flags & vertex.SPLINE_FRAME_CONTROL_POINT]
     rows = [(*vertex.dxf.location, vertex.dxf.get("bulge", 0.0)) for vertex in vertices]
     columns = np.array(rows, float).reshape(-1, 4)
@@ -157,7 +163,9 @@ def _polyline(entity: Any, _: Fits) -> Curve:
 def require_finite(rows: np.ndarray) -> None:
     """Raise GeometryError for a coordinate or bulge of a polyline that is no number, or too large a one."""
     if not (np.abs(rows) <= LARGEST).all():
-        raise GeometryError("dxf-number", "one of its points is no number in bounds", limit=f"{LARGEST:g}")
+        raise GeometryError(
+            "dxf-number", "one of its points is no number in bounds", limit=f"{LARGEST:g}", advice=REDRAW
+        )
 
 
 def bulged(points: np.ndarray, closed: bool) -> Curve:
@@ -204,7 +212,7 @@ def _spline(entity: Any, fits: Fits) -> Curve:
     knots = np.array(spline.knots(), float)
     first, last = float(knots[spline.degree]), float(knots[spline.count])
     if not (np.isfinite(knots).all() and (np.diff(knots) >= 0).all() and first < last):
-        raise GeometryError("dxf-spline", "its knots do not rise")
+        raise GeometryError("dxf-spline", "its knots do not rise", advice=REDRAW)
 
     @fits.counted
     def point(t: np.ndarray) -> np.ndarray:
@@ -221,15 +229,19 @@ def _require_spline(entity: Any) -> None:
     degree, points, knots = entity.dxf.get("degree", 3), entity.control_points, entity.knots
     if not 1 <= degree <= MOST_DEGREE:
         limit = f"1 to {MOST_DEGREE}"
-        raise GeometryError("dxf-spline", "the degree of the spline is out of bounds", value=f"{degree}", limit=limit)
+        raise GeometryError(
+            "dxf-spline", "the degree of the spline is out of bounds", value=f"{degree}", limit=limit, advice=REDRAW
+        )
     for name, values in (("points", [*points, *entity.fit_points]), ("knots", knots), ("weights", entity.weights)):
         if not (np.abs(np.array(values, float)) <= LARGEST).all():
-            raise GeometryError("dxf-spline", Text("its {name} are no numbers in bounds", name=name))
+            raise GeometryError("dxf-spline", Text("its {name} are no numbers in bounds", name=name), advice=REDRAW)
     if len(knots) and len(points) and len(knots) != len(points) + degree + 1:
         value, limit = f"{len(knots)} knots", f"{len(points) + degree + 1}"
-        raise GeometryError("dxf-spline", "its knots and points do not belong together", value=value, limit=limit)
+        raise GeometryError(
+            "dxf-spline", "its knots and points do not belong together", value=value, limit=limit, advice=REDRAW
+        )
     if len(points) and any(weight <= 0 for weight in entity.weights):
-        raise GeometryError("dxf-spline", "its weights are not above 0")
+        raise GeometryError("dxf-spline", "its weights are not above 0", advice=REDRAW)
 
 
 def _solid(entity: Any, _: Fits) -> Curve:
@@ -245,13 +257,13 @@ def from_above(entity: Any, curve: Curve) -> Curve:
     if not ocs.transform:
         return curve
     if abs(abs(ocs.uz.z) - 1.0) > FLAT:
-        raise GeometryError("dxf-not-flat", "does not lie flat")
+        raise GeometryError("dxf-not-flat", "does not lie flat", advice=ON_XY)
     return curve.transformed(np.array([(ocs.ux.x, ocs.uy.x, 0.0), (ocs.ux.y, ocs.uy.y, 0.0)]))
 
 
 def _require_level(heights: Any) -> None:
     if len(heights) and max(heights) - min(heights) > FLAT:
-        raise GeometryError("dxf-not-flat", "does not lie flat")
+        raise GeometryError("dxf-not-flat", "does not lie flat", advice=ON_XY)
 
 
 AREAS = ("SOLID", "TRACE")  # of the kinds that are filled

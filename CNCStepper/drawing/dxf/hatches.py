@@ -14,7 +14,16 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.drawing.drawing import Chain
-from CNCStepper.drawing.dxf.entities import BROKEN, Fits, bulged, curve_of, from_above, require_finite, round_arc
+from CNCStepper.drawing.dxf.entities import (
+    BROKEN,
+    REDRAW,
+    Fits,
+    bulged,
+    curve_of,
+    from_above,
+    require_finite,
+    round_arc,
+)
 from CNCStepper.errors import GeometryError, Text
 from CNCStepper.geometry.chain_joining import chained
 from CNCStepper.geometry.curve import Curve
@@ -33,9 +42,9 @@ def hatch_curves(entity: Any, fits: Fits) -> list[Curve]:
         if isinstance(error, GeometryError):
             raise
         why = printable(str(error), MOST_CHARACTERS) or type(error).__name__
-        raise GeometryError("dxf-broken", Text("its numbers make no curve: {why}", why=why)) from error
+        raise GeometryError("dxf-broken", Text("its numbers make no curve: {why}", why=why), advice=REDRAW) from error
     if not curves:
-        raise GeometryError("dxf-hatch", "it has no boundary")
+        raise GeometryError("dxf-hatch", "it has no boundary", advice="draw an outline in its place")
     return [from_above(entity, curve) for curve in curves]
 
 
@@ -46,7 +55,8 @@ def _boundary(path: Any, fits: Fits) -> Curve:
         return bulged(rows, closed=True)
     chains, _ = chained([_edge(edge, fits) for edge in path.edges])
     if len(chains) != 1 or not chains[0].closed:
-        raise GeometryError("dxf-hatch", "its boundary is not closed")
+        advice = "draw its boundary closed, or leave it out"
+        raise GeometryError("dxf-hatch", "its boundary is not closed", advice=advice)
     return chains[0]
 
 

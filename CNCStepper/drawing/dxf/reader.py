@@ -75,7 +75,8 @@ def read_dxf(
     called with the share that is done. Raises JobError for no DXF file or no curve in it.
     """
     if not tolerance_mm > 0:
-        raise JobError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+        advice = "give a tolerance above 0"
+        raise JobError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm", advice=advice)
     place = Place(str(path))
     require_readable(_chunks(path, lambda done: share(COUNTED * done)), place)
     unchanged = Unchanged(path)
@@ -207,7 +208,8 @@ class _Reading:
         colour = entity_colour(entity, layer, around, self._layers)
         if entity.dxftype() == "INSERT" and len(around.blocks) < DEEPEST:
             if _is_external(entity):
-                why = GeometryError("dxf-xref", "an external reference, whose file is not opened")
+                advice = "bind it into the drawing, and save it again"
+                why = GeometryError("dxf-xref", "an external reference, whose file is not opened", advice=advice)
                 self._skip(number, "INSERT", layer, str(entity.dxf.get("name", "")), why)
                 yield
                 return

@@ -64,7 +64,7 @@ class Texts:
         except JobError as error:
             if error.code == "dxf-large":
                 raise
-            raise GeometryError(error.code, error.what, value=error.value) from error
+            raise GeometryError(error.code, error.what, value=error.value, advice=error.advice) from error
 
     def _line(self, entity: Any) -> list[Curve]:
         from ezdxf.tools.text import plain_text
@@ -138,7 +138,8 @@ class Texts:
 
     def _style(self, entity: Any, height: float) -> TextStyle:
         if not 0.0 < height <= LARGEST:
-            raise GeometryError("dxf-text", "its height is no length", value=f"{height}")
+            advice = "give it a height above 0"
+            raise GeometryError("dxf-text", "its height is no length", value=f"{height}", advice=advice)
         name = _style_name(entity)
         if name not in self._families:
             self._families[name] = self._family(name)
@@ -201,7 +202,8 @@ def _slant(oblique_deg: float) -> float:
     """Return how far letters lean to the right; DXF writes leaning to the left as -20 or as 340."""
     lean = (oblique_deg + 180.0) % 360.0 - 180.0
     if not abs(lean) <= MOST_SLANT_DEG:
-        raise GeometryError("dxf-text", "its letters lean too far", value=f"{oblique_deg:g}")
+        advice = Text("lean them by {most_deg:g} deg at most", most_deg=MOST_SLANT_DEG)
+        raise GeometryError("dxf-text", "its letters lean too far", value=f"{oblique_deg:g}", advice=advice)
     return lean
 
 

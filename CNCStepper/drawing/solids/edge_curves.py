@@ -38,7 +38,8 @@ def loops_of(edges: Sequence[Sequence[Any]], tolerance_mm: float) -> list[Curve]
     """Return the chains of edges in the order of their first corners; raises JobError for what is no edge."""
     if len(edges) > MOST_EDGES:
         value, limit = f"{len(edges)}", f"{MOST_EDGES}"
-        raise JobError("solid-large", "the solid has too many edges there", value=value, limit=limit)
+        advice = "simplify the solid"
+        raise JobError("solid-large", "the solid has too many edges there", value=value, limit=limit, advice=advice)
     pieces = [_curve(edge, tolerance_mm) for edge in edges]
     chains, _ = chained([piece for piece in pieces if piece.length_mm > SAME_MM])
     return ordered([rounded(canonical(chain)) for chain in chains])
@@ -125,8 +126,10 @@ def _curve(edge: Sequence[Any], tolerance_mm: float) -> Curve:
         if kind == "spline":
             return _spline(tolerance_mm, *values)
     except (TypeError, ArithmeticError, LookupError) as error:
-        raise JobError("solid-edge", Text("an edge of the solid is no curve: {error}", error=error)) from error
-    raise JobError("solid-edge", "an edge of the solid is of no kind that is known")
+        raise JobError(
+            "solid-edge", Text("an edge of the solid is no curve: {error}", error=error), advice="repair the solid"
+        ) from error
+    raise JobError("solid-edge", "an edge of the solid is of no kind that is known", advice="repair the solid")
 
 
 def _ellipse(
@@ -153,7 +156,8 @@ def _ellipse(
 def _spline(tolerance_mm: float, degree: int, poles: Any, weights: Any, knots: Any) -> Curve:
     points, heavy, steps = np.array(poles, float), np.array(weights, float), np.array(knots, float)
     if not (1 <= degree <= MOST_DEGREE and len(steps) == len(points) + degree + 1 and len(heavy) == len(points)):
-        raise JobError("solid-edge", "the knots and poles of a spline of the solid do not belong together")
+        what, advice = "the knots and poles of a spline of the solid do not belong together", "repair the solid"
+        raise JobError("solid-edge", what, advice=advice)
     first, last = float(steps[degree]), float(steps[len(points)])
     inner = np.unique(steps[(steps > first) & (steps < last)]).tolist()
     columns = np.column_stack([points * heavy[:, None], heavy])

@@ -52,8 +52,10 @@ def read_triangles(content: bytes, place: Place) -> np.ndarray:
         value, limit = f"{len(content)} bytes", f"{length_bytes} bytes"
         raise JobError("stl-file", what, value=value, limit=limit, advice="export it again", place=place)
     if not (np.abs(corners) <= LARGEST_MM).all():
-        limit = f"{LARGEST_MM:g}"
-        raise JobError("stl-number", "a corner of the mesh is no number in bounds", limit=limit, place=place)
+        limit, advice = f"{LARGEST_MM:g}", "repair the mesh, and export it again"
+        raise JobError(
+            "stl-number", "a corner of the mesh is no number in bounds", limit=limit, place=place, advice=advice
+        )
     return corners
 
 
@@ -61,7 +63,8 @@ def _text_triangles(content: bytes, place: Place) -> np.ndarray:
     try:
         numbers = np.array([float(word) for corner in VERTEX.findall(content) for word in corner])
     except ValueError as error:
-        raise JobError("stl-number", "a corner of the mesh is no number", place=place) from error
+        advice = "repair the mesh, and export it again"
+        raise JobError("stl-number", "a corner of the mesh is no number", place=place, advice=advice) from error
     if not len(numbers) or len(numbers) % 9:
         advice = "export it again, as binary STL"
         raise JobError("stl-file", "the triangles of the STL file are not whole", advice=advice, place=place)

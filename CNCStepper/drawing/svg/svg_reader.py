@@ -75,7 +75,8 @@ SVG_WARNINGS = {
 def read(path: Path, options: ReadOptions, share: Share) -> Drawing:
     """Return the drawing in an SVG file, as `read_drawing` wants it."""
     if not options.tolerance_mm > 0:
-        raise JobError("tolerance", "the tolerance must be above 0", value=f"{options.tolerance_mm:g} mm")
+        what, advice = "the tolerance must be above 0", "give a tolerance above 0"
+        raise JobError("tolerance", what, value=f"{options.tolerance_mm:g} mm", advice=advice)
     place = Place(str(path))
     document = read_document(path)
     with placed(place):

@@ -203,4 +203,4 @@ def _font(style: Style, told: Callable[[str], None]) -> tuple[Font, TextStyle]:
             if number or kind != wanted:
                 told(f"{names[0]} {wanted}".strip())
             return font, TextStyle(height_mm=size, size="em", letter_spacing_mm=spacing)
-    raise JobError("font-unknown", "the system has no font")
+    raise JobError("font-unknown", "the system has no font", advice="convert the text to paths in the drawing program")

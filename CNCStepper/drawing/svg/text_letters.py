@@ -99,7 +99,8 @@ class Letters:
             if character == " " and not preserve and self._ends_with_blank():
                 continue
             if len(self.letters) >= MOST_CHARACTERS:
-                raise JobError("svg-large", "a text is too long", limit=f"{MOST_CHARACTERS} characters")
+                advice = "make several texts of it"
+                raise JobError("svg-large", "a text is too long", limit=f"{MOST_CHARACTERS} characters", advice=advice)
             self.letters.append(Letter(len(self.letters), character, style, path, preserve))
 
     def _ends_with_blank(self) -> bool:

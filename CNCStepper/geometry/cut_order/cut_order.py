@@ -294,7 +294,8 @@ def ordered(
     order, way = nearest_first(begin, end, first, pairs, x, y)
     if len(order) < len(stops):
         stuck = sorted(set(range(len(stops))) - set(order.tolist()))
-        raise GeometryError("order-circle", "the locks of the order contradict each other", value=f"items {stuck[:8]}")
+        what, advice = "the locks of the order contradict each other", "take a lock out"
+        raise GeometryError("order-circle", what, value=f"items {stuck[:8]}", advice=advice)
 
     def improved(order: np.ndarray, way: np.ndarray) -> list[Visit]:
         improve(begin, end, back, first, pairs, x, y, order, way)
@@ -351,7 +352,8 @@ def _chords(curve: Curve) -> np.ndarray:
 def _pairs(pairs: Iterable[tuple[int, int]], count: int) -> np.ndarray:
     table = np.array(sorted(set(pairs)), np.int64).reshape(-1, 2)
     if len(table) and not (table.min() >= 0 and table.max() < count):
-        raise GeometryError("order-item", "an order names an item that is not there", limit=f"{count} items")
+        what, advice = "an order names an item that is not there", "name each by its place, from 0 on"
+        raise GeometryError("order-item", what, limit=f"{count} items", advice=advice)
     return table
 
 

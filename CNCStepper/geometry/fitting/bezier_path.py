@@ -60,7 +60,9 @@ class BezierPath:
         Raises GeometryError for a path of no length, coordinates out of bounds and a path too long for its tolerance.
         """
         if not len(self.bulge):
-            raise GeometryError("curve-range", "a path has no length, or a coordinate that is no length in mm")
+            what = "a path has no length, or a coordinate that is no length in mm"
+            advice = "draw it larger, or leave it out"
+            raise GeometryError("curve-range", what, advice=advice)
         columns = PathColumns(self.points, self.controls, self.bulge, np.array([len(self.bulge)]))
         return required(columns.curves(tolerance_mm, budget)[0])
 

@@ -121,7 +121,8 @@ def fit_arcs(point: Function, first: float, last: float, tolerance_mm: float, kn
     """
     inner = np.sort(np.asarray(knots, float))
     if not tolerance_mm > 0:
-        raise GeometryError("fit", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+        advice = "give a tolerance above 0"
+        raise GeometryError("fit", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm", advice=advice)
     parameters, bulges = [first], []
     while parameters[-1] != last:
         checkpoint()
@@ -129,7 +130,8 @@ def fit_arcs(point: Function, first: float, last: float, tolerance_mm: float, kn
         parameters.append(end)
         bulges.append(bulge)
         if len(bulges) > MOST_ARCS:
-            raise GeometryError("fit", "the tolerance is too small for this curve", value=f"{tolerance_mm:g} mm")
+            what, advice = "the tolerance is too small for this curve", "take a larger tolerance"
+            raise GeometryError("fit", what, value=f"{tolerance_mm:g} mm", advice=advice)
     return Curve(point(np.array(parameters)), np.array(bulges))
 
 
@@ -142,7 +144,8 @@ def _longest(point: Function, begin: float, last: float, tolerance_mm: float, kn
     while best is None or abs(bad - good) > FINEST * abs(last - begin):
         middle = 0.5 * (good + bad)
         if middle in (good, bad):
-            raise GeometryError("fit", "the curve is not smooth here", value=f"parameter {begin:g}")
+            advice = "split it there"
+            raise GeometryError("fit", "the curve is not smooth here", value=f"parameter {begin:g}", advice=advice)
         bulge, deviation_mm = _arc(point, begin, middle, knots)
         if deviation_mm <= tolerance_mm:
             good, best = middle, bulge

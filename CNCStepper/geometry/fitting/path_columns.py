@@ -173,7 +173,8 @@ SOUND, FAR, LARGE = range(3)
 def _refusal(state: int) -> GeometryError:
     if state == LARGE:
         return GeometryError("fit-large", "a path is too long for its tolerance", advice="take a larger tolerance")
-    return GeometryError("curve-range", "a path has no length, or a coordinate that is no length in mm")
+    advice = "draw it larger, or leave it out"
+    return GeometryError("curve-range", "a path has no length, or a coordinate that is no length in mm", advice=advice)
 
 
 def _no_curve(path: Bundle) -> GeometryError:

@@ -39,7 +39,8 @@ def fit_points(points: Iterable[Iterable[float]], tolerance_mm: float, closed: b
 def refitted(curve: Curve, tolerance_mm: float) -> Curve:
     """Return fewer lines and arcs along a polyline, as `fit_points` does; a curve with arcs is returned as it is."""
     if not tolerance_mm > 0:
-        raise GeometryError("fit", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+        advice = "give a tolerance above 0"
+        raise GeometryError("fit", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm", advice=advice)
     if curve.bulge.any():
         return curve
     curve = curve.without_short()

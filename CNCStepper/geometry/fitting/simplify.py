@@ -20,7 +20,9 @@ def simplified(curve: Curve, tolerance_mm: float) -> Curve:
     the ends of each STRETCH stay too.
     """
     if not tolerance_mm >= 0:
-        raise GeometryError("simplify", "the tolerance is negative", value=f"{tolerance_mm:g} mm", limit="0 mm")
+        raise GeometryError(
+            "simplify", "the tolerance is negative", value=f"{tolerance_mm:g} mm", limit="0 mm", advice="give 0 or more"
+        )
     if curve.bulge.any() or len(curve) < 2:
         return curve
     parts = [stretch for half in _halves(curve) for stretch in _stretches(half)]

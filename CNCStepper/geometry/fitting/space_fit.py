@@ -46,7 +46,8 @@ def fit_space(points: np.ndarray, tolerance_mm: float) -> list[Piece]:
     GeometryError for a tolerance that is not above 0.
     """
     if not tolerance_mm > 0:
-        raise GeometryError("fit", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+        advice = "give a tolerance above 0"
+        raise GeometryError("fit", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm", advice=advice)
     pieces: list[Piece] = []
     first = 0
     for last, plane in _stretches(points):

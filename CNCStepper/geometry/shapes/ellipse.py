@@ -42,9 +42,8 @@ class Ellipse:
     ) -> Ellipse:
         """Return the ellipse with radii along X and Y, turned counter-clockwise by `rotation_deg`."""
         if not (radius_x_mm > 0 and radius_y_mm > 0):
-            raise GeometryError(
-                "ellipse-radius", "both radii must be positive", value=f"{radius_x_mm:g}, {radius_y_mm:g}"
-            )
+            what, advice = "both radii must be positive", "give two radii above 0"
+            raise GeometryError("ellipse-radius", what, value=f"{radius_x_mm:g}, {radius_y_mm:g}", advice=advice)
         if radius_x_mm >= radius_y_mm:
             return cls(centre, radius_x_mm, radius_y_mm, rotation_deg)
         return cls(centre, radius_y_mm, radius_x_mm, rotation_deg + 90.0)
@@ -88,6 +87,7 @@ class Ellipse:
                 "no parallel curve that far inside",
                 value=f"{inside_mm:g} mm",
                 limit=f"{self.minor_mm:g} mm",
+                advice="give a distance from 0 to below the limit",
             )
         quarter = _quarter(Ellipse((0.0, 0.0), self.major_mm, self.minor_mm, 0.0), inside_mm, tolerance_mm)
         to_tip, to_bottom = quarter.mirrored_x(), _half_turned(quarter.reversed())

@@ -35,7 +35,9 @@ def ellipse_by_dda(radius_x_mm: float, radius_y_mm: float, resolution_mm: float,
     values that are not positive or a resolution that asks for more than MOST_STEPS steps a radius.
     """
     if not (radius_x_mm > 0 and radius_y_mm > 0 and resolution_mm > 0):
-        raise GeometryError("dda", "radii and resolution must be positive", value=f"{resolution_mm:g} mm")
+        raise GeometryError(
+            "dda", "radii and resolution must be positive", value=f"{resolution_mm:g} mm", advice="give values above 0"
+        )
     if radius_y_mm / resolution_mm > MOST_STEPS:
         raise GeometryError(
             "dda-fine",
