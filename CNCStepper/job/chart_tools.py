@@ -30,7 +30,8 @@ def process_of(content: dict[str, Any], file: str) -> Process:
     """Return the process that a job's content names; raises JobError where there is none of that name."""
     name = content.get("process", MILLING.name)
     if not isinstance(name, str):
-        raise JobError("bad-value", "process must be a text", place=Place(file))
+        advice = 'write its name in quotes, for example process = "plasma"'
+        raise JobError("bad-value", "process must be a text", place=Place(file), advice=advice)
     with placed(Place(file)):
         return process_named(name)
 

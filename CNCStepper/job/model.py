@@ -101,9 +101,11 @@ def _keys(stored: StoredTool, own: dict[str, Any], file: str) -> dict[str, Any]:
 
 def _by_number(tables: Any, path: Path) -> dict[int, dict[str, Any]]:
     if not isinstance(tables, list) or not all(isinstance(table, dict) and "number" in table for table in tables):
-        raise JobError("bad-value", "tool must be a list of tables with a number", place=Place(str(path)))
+        what, advice = "tool must be a list of tables with a number", "write [[tool]] and below it number = 1"
+        raise JobError("bad-value", what, place=Place(str(path)), advice=advice)
     if len({table["number"] for table in tables}) < len(tables):
-        raise JobError("bad-value", "two tools have the same number", place=Place(str(path)))
+        advice = "give each tool its own number"
+        raise JobError("bad-value", "two tools have the same number", place=Place(str(path)), advice=advice)
     return {table["number"]: table for table in tables}
 
 
@@ -494,7 +496,8 @@ def _notes(content: dict[str, Any], path: Path) -> list[Any]:
     """Return the notes of a saved job; that they are texts is seen with the rest."""
     notes = content.get("notes", [])
     if not isinstance(notes, list):
-        raise JobError("bad-value", "notes must be a list", value=shown(notes), place=Place(str(path)))
+        advice = 'write notes = ["…", "…"]'
+        raise JobError("bad-value", "notes must be a list", value=shown(notes), place=Place(str(path)), advice=advice)
     return notes
 
 

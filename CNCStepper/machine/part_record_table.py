@@ -147,5 +147,6 @@ def _nominal(row: Mapping[str, str], key: str, path: Path) -> float:
     try:
         value_mm = number_of(row[key])
     except ValueError as error:
-        raise JobError("part-records-file", error.args[0], place=Place(str(path))) from error
+        advice = "correct the number"
+        raise JobError("part-records-file", error.args[0], place=Place(str(path)), advice=advice) from error
     return NOMINAL_MM.require(value_mm, key, Place(str(path)))

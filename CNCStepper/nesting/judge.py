@@ -30,7 +30,7 @@ from CNCStepper.tolerances import TOUCHING_PARTS_MM
 def require_sound(items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spacing, layout: Layout) -> None:
     """Raise GeometryError with the first fault of a layout."""
     if fault := next(faults(items, sheets, spacing, layout), None):
-        raise GeometryError("nest-fault", fault)
+        raise GeometryError("nest-fault", fault, advice="move or turn that part, or nest again")
 
 
 def faults(items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spacing, layout: Layout) -> Iterator[str]:

@@ -85,9 +85,13 @@ def require_order(items: Sequence[Item], sheets: Sequence[Sheet], spacing: Spaci
     """
     if not items or not sheets:
         raise JobError("nest-empty", "an order needs a part and a sheet", advice="add them")
-    for what, value in (("the gap", spacing.gap_mm), ("the margin", spacing.margin_mm)):
+    for name, value in (("the gap", spacing.gap_mm), ("the margin", spacing.margin_mm)):
         if not 0.0 <= value <= MOST_MM:
-            raise JobError("nest-spacing", Text("{what} is out of bounds", what=what), value=f"{value:g} mm")
+            what, between = (
+                Text("{what} is out of bounds", what=name),
+                Text("give 0 to {most_mm:g} mm", most_mm=MOST_MM),
+            )
+            raise JobError("nest-spacing", what, value=f"{value:g} mm", advice=between)
     if (total := sum(item.count + len(item.locked) for item in items)) > MOST_PARTS:
         advice = "split the order"
         raise JobError(

@@ -148,7 +148,9 @@ class HeightField(Stock):
         super().__post_init__()
         field = np.array(self.heights_mm, float)
         if field.ndim != 2 or min(field.shape) < 2 or not np.isfinite(field).all():
-            raise JobError("stock-heights", "a height field needs two rows and two columns of finite heights at least")
+            what = "a height field needs two rows and two columns of finite heights at least"
+            advice = "give a height for each place of the stock"
+            raise JobError("stock-heights", what, advice=advice)
         if field.min() < 0 or not math.isclose(field.max(), self.size_mm[2], rel_tol=1e-9):
             raise JobError(
                 "stock-heights",

@@ -109,4 +109,5 @@ def _require_small(path: Path, place: Place) -> None:
     size = sum(member.file_size for member in members)
     if size > MOST_UNPACKED_BYTES or len(members) > MOST_MEMBERS:
         value, limit = f"{size / 1e6:.3g} MB, {len(members)} files", f"{MOST_UNPACKED_BYTES / 1e6:g} MB, {MOST_MEMBERS}"
-        raise JobError("solid-large", "the document unpacks to too much", value=value, limit=limit, place=place)
+        what, advice = "the document unpacks to too much", "save the solid in a document of its own"
+        raise JobError("solid-large", what, value=value, limit=limit, place=place, advice=advice)

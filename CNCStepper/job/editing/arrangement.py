@@ -44,7 +44,8 @@ def program_of(name: str, text: str, count: int, dialect: str, tool_radius_mm: f
     """Return a program with its outline; raises JobError for one that cuts nothing and for too many copies."""
     if not 1 <= count <= MOST_COPIES:
         limit = f"1 to {MOST_COPIES}"
-        raise JobError("arrange-count", "the count of copies is out of bounds", value=f"{count}", limit=limit)
+        what, advice = "the count of copies is out of bounds", "give a count within the limit"
+        raise JobError("arrange-count", what, value=f"{count}", limit=limit, advice=advice)
     path = interpret(text, None, dialect, name)
     return Program(name, text, count, cut_outline(path, name, max(tool_radius_mm, THIN_MM)))
 
@@ -59,7 +60,8 @@ def cut_outline(path: Toolpath, name: str, radius_mm: float) -> Polygon:
             lines.append(_line(table.kind[row], begins[row], ends[row], table.centre[row, :2] - offsets[row, :2]))
     whole = shapely.union_all(shapely.buffer(lines, radius_mm, quad_segs=2)) if lines else Polygon()
     if whole.is_empty:
-        raise JobError("arrange-cuts", "the program cuts nothing at a known place", place=Place(name))
+        advice = "give a program that cuts along X and Y"
+        raise JobError("arrange-cuts", "the program cuts nothing at a known place", place=Place(name), advice=advice)
     filled = shapely.union_all([Polygon(part.exterior) for part in shapely.get_parts(whole)])
     outline = filled if isinstance(filled, Polygon) else filled.convex_hull
     return simplified(Polygon(outline.exterior), COARSE_MM)

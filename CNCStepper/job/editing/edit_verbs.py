@@ -46,7 +46,13 @@ def edited(
     Raises ProgramError where it cannot be done, or where the new program would be refused and the old one is not.
     """
     if verb not in VERBS:
-        raise CNCStepperError("verb-unknown", "there is no such verb", value=verb, limit=", ".join(VERBS))
+        raise CNCStepperError(
+            "verb-unknown",
+            "there is no such verb",
+            value=verb,
+            limit=", ".join(VERBS),
+            advice="name one of these verbs",
+        )
     if verb == CONVERT and machine is not None:
         values = {"tool_change": machine.tool_change, "tool_length": machine.tool_length} | values
     result = VERBS[verb](text, **values, dialect=dialect, start=start, file=file)

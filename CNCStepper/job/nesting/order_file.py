@@ -161,7 +161,7 @@ def _instance(content: dict[str, Any]) -> Order:
     height_mm = require_finite("strip_height", content.get("strip_height"))
     found = content.get("items")
     if not height_mm > 0.0 or not isinstance(found, list):
-        raise JobError("nest-instance", "the file needs a strip_height above 0 and a list of items")
+        raise JobError("nest-instance", "the file needs a strip_height above 0 and a list of items", advice="add them")
     items = tuple(_instance_item(number, each) for number, each in enumerate(found))
     chains = tuple((Chain(from_points(shapely.get_coordinates(item.exact)[:-1], True), OUTLINE),) for item in items)
     return Order(items, (_strip(items, height_mm, ""),), Spacing(), chains, strip_height_mm=height_mm)
@@ -170,11 +170,17 @@ def _instance(content: dict[str, Any]) -> Order:
 def _instance_item(number: int, content: Any) -> Item:
     name = Text("item {number}", number=number)
     if not isinstance(content, dict):
-        raise JobError("nest-instance", Text("{name} is no object", name=name))
+        raise JobError(
+            "nest-instance", Text("{name} is no object", name=name), advice="write it as an object, in braces"
+        )
     polygon = polygon_from(name, content.get("polygon", ()))
     angles = content.get("rotations_deg", [0.0])
     if not isinstance(angles, list) or not 1 <= len(angles) <= MOST_ROTATIONS:
-        raise JobError("nest-rotations", Text("the rotations of {name} are no list of 1 to 360", name=name))
+        what, advice = (
+            Text("the rotations of {name} are no list of 1 to 360", name=name),
+            "give 1 to 360 angles in brackets",
+        )
+        raise JobError("nest-rotations", what, advice=advice)
     rotations_deg = tuple(require_finite(f"a rotation of {name}", angle) for angle in angles)
     return Item(name, polygon, polygon, require_count(name, content.get("demand", 1)), rotations_deg)
 

@@ -36,9 +36,9 @@ def read_toml(path: Path) -> dict[str, Any]:
     except ValueError as error:  # no TOML, no UTF-8, or a number of thousands of digits
         if isinstance(error, JobError):
             raise
-        raise JobError(
-            "toml", Text("not a TOML file: {error}", error=printable(str(error), 300)), place=place
-        ) from error
+        what = Text("not a TOML file: {error}", error=printable(str(error), 300))
+        advice = "correct that, or name a TOML file"
+        raise JobError("toml", what, place=place, advice=advice) from error
 
 
 def _too_deep(place: Place) -> JobError:
@@ -52,13 +52,14 @@ def read_json(path: Path, most_bytes: int = MOST_TEXT_BYTES) -> dict[str, Any]:
     try:
         content = json.loads(read_input(path, most_bytes).decode("utf-8-sig"))
     except RecursionError as error:
-        raise JobError("json", "objects or lists are nested too deeply", place=place) from error
+        advice = "write them flatter"
+        raise JobError("json", "objects or lists are nested too deeply", place=place, advice=advice) from error
     except ValueError as error:  # no JSON, no UTF-8, or a number of thousands of digits
         if isinstance(error, JobError):
             raise
-        raise JobError(
-            "json", Text("not a JSON file: {error}", error=printable(str(error), 300)), place=place
-        ) from error
+        what = Text("not a JSON file: {error}", error=printable(str(error), 300))
+        advice = "correct that, or name a JSON file"
+        raise JobError("json", what, place=place, advice=advice) from error
     if not isinstance(content, dict):
-        raise JobError("json", "the file holds no object", place=place)
+        raise JobError("json", "the file holds no object", place=place, advice="write its keys and values in braces")
     return content

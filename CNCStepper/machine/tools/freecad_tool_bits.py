@@ -71,10 +71,14 @@ def read_bit(path: Path, number: int = 1) -> StoredTool:
     """Return the tool of a `.fctb` file; raises JobError for a file that is none."""
     content = _json(path)
     if not isinstance(content.get("parameter"), dict) or "shape" not in content:
-        raise JobError("tool-bit", "not a tool bit: it has no shape or no parameter", place=Place(str(path)))
+        what = "not a tool bit: it has no shape or no parameter"
+        advice = "save it again in FreeCAD's tool bit editor (CAM)"
+        raise JobError("tool-bit", what, place=Place(str(path)), advice=advice)
     for key in ("attribute", OURS):
         if not isinstance(content.get(key) or {}, dict):
-            raise JobError("tool-bit", Text("not a tool bit: its {key} is no object", key=key), place=Place(str(path)))
+            what = Text("not a tool bit: its {key} is no object", key=key)
+            advice = "save it again in FreeCAD's tool bit editor (CAM)"
+            raise JobError("tool-bit", what, place=Place(str(path)), advice=advice)
     name, kind = _text(content.get("name", path.stem)), _shape_of(content)
     if kind not in SHAPES:
         return StoredTool(
@@ -102,10 +106,12 @@ def read_library(path: Path) -> list[StoredTool]:
     content = _json(path)
     tools, place = content.get("tools"), Place(str(path))
     if not isinstance(tools, list):
-        raise JobError("tool-library", "not a tool library: it has no list of tools", place=place)
+        advice = "save it again in FreeCAD's tool library editor (CAM)"
+        raise JobError("tool-library", "not a tool library: it has no list of tools", place=place, advice=advice)
     if len(tools) > MOST_TOOLS:
         value, limit = f"{len(tools)}", f"{MOST_TOOLS}"
-        raise JobError("tool-library", "the library has too many tools", value=value, limit=limit, place=place)
+        what, advice = "the library has too many tools", "split the file"
+        raise JobError("tool-library", what, value=value, limit=limit, place=place, advice=advice)
     return [_listed(entry, path) for entry in tools]
 
 
@@ -178,9 +184,9 @@ def _bit(stored: StoredTool) -> dict[str, Any]:
         return content
     tool = stored.tool
     if tool.shape not in WRITTEN:
-        raise JobError(
-            "tool-shape", Text("FreeCAD has no tool bit for a {tool_shape}", tool_shape=tool.shape), value=stored.name
-        )
+        what = Text("FreeCAD has no tool bit for a {tool_shape}", tool_shape=tool.shape)
+        advice = "leave it out, or save the tools in a file of another kind"
+        raise JobError("tool-shape", what, value=stored.name, advice=advice)
     if not raw:
         shape, kind = WRITTEN[tool.shape]
         content |= {"shape": f"{shape}.fcstd", "shape-type": kind}

@@ -40,7 +40,8 @@ def read_table(path: Path, unit_mm: float = 1.0) -> list[StoredTool]:
     numbered = [(number, line) for number, line in enumerate(lines, start=1) if line.partition(";")[0].strip()]
     if len(numbered) > MOST_TOOLS:
         value, limit = f"{len(numbered)}", f"{MOST_TOOLS}"
-        raise JobError("tool-table", "the table has too many tools", value=value, limit=limit, place=Place(str(path)))
+        what, advice = "the table has too many tools", "split the file"
+        raise JobError("tool-table", what, value=value, limit=limit, place=Place(str(path)), advice=advice)
     return [_tool(line, unit_mm, Place(str(path), number)) for number, line in numbered]
 
 
