@@ -77,7 +77,9 @@ class MachineTestLines:
         jitter = ended[0]
         if isinstance(jitter, MachineRefusal):
             board.send(message(str(jitter)))
-            raise MachineRefusal(RATE_NOT_KEPT, "this computer cannot keep the rate", value=f"{rate_hz:g} pulses/s")
+            what = "this computer cannot keep the rate"
+            advice = "end other programs, or lower max_rate_mm_min in the machine's profile"
+            raise MachineRefusal(RATE_NOT_KEPT, what, value=f"{rate_hz:g} pulses/s", advice=advice)
         if isinstance(jitter, CNCStepperError):
             raise jitter
         board.send(

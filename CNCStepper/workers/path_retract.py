@@ -26,7 +26,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError, JobError
+from CNCStepper.errors import CNCStepperError, JobError, Text
 from CNCStepper.workers.json_lines import Questions, serve, tell
 
 
@@ -79,7 +79,8 @@ def _target(held: Any, **request: Any) -> Any:
     for kind, way in ways.items():
         if kind in request:
             return way(request[kind])
-    raise JobError("back-question", "nothing is known that could be asked so", value=str(request))
+    advice = Text("use one of: {known}", known=", ".join(ways))
+    raise JobError("back-question", "nothing is known that could be asked so", value=str(request), advice=advice)
 
 
 def _place(held: Any) -> dict[str, Any]:

@@ -41,7 +41,7 @@ from typing import Any
 import numpy as np
 
 from CNCStepper.control.session.status import error_to_json
-from CNCStepper.errors import CNCStepperError, ProgramError
+from CNCStepper.errors import CNCStepperError, ProgramError, Text
 from CNCStepper.gcode.syntax.words import program_lines
 from CNCStepper.gcode.wire.backlash_compensation import backlash_of
 from CNCStepper.job.editing.line_analysis import Abandoned, Reading, read_program, unsendable
@@ -114,7 +114,9 @@ class ProgramText:
             return contours_as_data(self.lines, self.dialect, self.start, self.file)
         if "edit" in question:
             return self._edit(**question["edit"])
-        raise CNCStepperError("editor-question", "nothing is known that could be asked so", value=str(question)[:80])
+        what = "nothing is known that could be asked so"
+        advice = Text("use one of: {known}", known=", ".join(("line", "pick", "place", "contours", "edit")))
+        raise CNCStepperError("editor-question", what, value=str(question)[:80], advice=advice)
 
     def _read_as(self, dialect: str, file: str, machine: bool) -> None:
         self.dialect, self.file = dialect, file

@@ -21,7 +21,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from CNCStepper.errors import CNCStepperError
+from CNCStepper.errors import CNCStepperError, Text
 from CNCStepper.workers.json_lines import Questions, serve, tell
 
 
@@ -57,7 +57,8 @@ class Answers:
         for kind, answer in asked.items():
             if kind in question:
                 return answer(float(question[kind]), **{k: v for k, v in question.items() if k != kind})
-        raise CNCStepperError("timeline-question", "nothing is known that could be asked so", value=str(question))
+        what, advice = "nothing is known that could be asked so", Text("use one of: {known}", known=", ".join(asked))
+        raise CNCStepperError("timeline-question", what, value=str(question), advice=advice)
 
     def _at(self, time_s: float) -> dict[str, Any]:
         from CNCStepper.job.proof_folder import TILES

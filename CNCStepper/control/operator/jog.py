@@ -93,7 +93,8 @@ def check_in_time(command: Command, now_s: float) -> None:
     """Raise MachineRefusal for a jog asked too long ago: the operator may have turned away."""
     late_s = now_s - command.asked_s
     if command.name in ("jog", "jog_on") and late_s > LAPSE_S:
-        raise MachineRefusal("jog-late", "the jog came too late to be safe", value=f"{late_s:.1f} s")
+        advice = "look at the machine, and jog again"
+        raise MachineRefusal("jog-late", "the jog came too late to be safe", value=f"{late_s:.1f} s", advice=advice)
 
 
 class Jogger:

@@ -80,7 +80,9 @@ def open_output(name: str, is_board: bool, begin_ns: int, again: bool = False) -
         raise LinkError("pulse-port", Text("{name} is no port for pulses", name=name), advice=advice)
     if is_parallel_port(Path(name)):
         if is_board:
-            raise LinkError("pulse-port", Text("{name} is a parallel port, and the machine is a board", name=name))
+            what = Text("{name} is a parallel port, and the machine is a board", name=name)
+            advice = "name a serial device, socket://host:port or record:FILE, or choose another machine"
+            raise LinkError("pulse-port", what, advice=advice)
         return ParallelPort(Path(name))
     return SerialOutput(name, is_board)
 
@@ -140,7 +142,9 @@ def recording_file(path: Path, begin: bytes) -> BinaryIO:
         target.touch()
         file = target.open("r+b", buffering=1 << 20)
     except OSError as error:
-        raise LinkError("pulse-port", Text("{path} cannot be written: {error}", path=path, error=error)) from error
+        what = Text("{path} cannot be written: {error}", path=path, error=error)
+        advice = "choose a folder that exists and that you may write to"
+        raise LinkError("pulse-port", what, advice=advice) from error
     if not stat.S_ISREG(os.fstat(file.fileno()).st_mode) or file.read(len(begin)) not in (b"", begin):
         file.close()
         advice = "name a new file, or one that pulses were recorded in"

@@ -24,6 +24,7 @@ from CNCStepper.tolerances import FULL_CIRCLE_RAD
 from CNCStepper.toolpath import ARC_CW, PLANE_AXES, Chunk
 
 CHORD_MM = 0.002  # how far a chord may lie inside its arc; the firmware's own default ($12)
+WATCH = "watch the machine until the job ends"
 
 
 @dataclass(frozen=True)
@@ -151,15 +152,15 @@ class PlannedPath:
                 self._take_letters(text)
                 return
             if (self._by_letters and not text.startswith("M")) or text.startswith("$"):
-                raise ProgramError(
-                    "path-unknown", Text("'{text}' is a move whose end only the controller knows", text=text)
-                )
+                what = Text("'{text}' is a move whose end only the controller knows", text=text)
+                raise ProgramError("path-unknown", what, advice=WATCH)
             self._interpreter.line(text)
         except ProgramError as error:
             self._lose(error)
         if table.events:
             if any(event.kind == "probe" for event in table.events):
-                self._lose(ProgramError("path-unknown", "only the controller knows where a probe stops"))
+                why = "only the controller knows where a probe stops"
+                self._lose(ProgramError("path-unknown", why, advice=WATCH))
             table.events.clear()
 
     def _take_letters(self, text: str) -> None:

@@ -36,7 +36,8 @@ class Board:
     def __init__(self, motors: Sequence[str] = AXIS_NAMES, null_motor: int | Literal["unused"] = "unused"):
         if len(motors) > BOARD_MOTORS:
             limit = f"{BOARD_MOTORS} motors"
-            raise MachineRefusal("board-motors", "the board has no such motors", value=f"{len(motors)}", limit=limit)
+            what, advice = "the board has no such motors", "name fewer motors in the machine's profile"
+            raise MachineRefusal("board-motors", what, value=f"{len(motors)}", limit=limit, advice=advice)
         self._axis = np.array([AXIS_NAMES.index(motor[-1]) for motor in motors], np.int64)
         self._sense = np.array([-1 if motor.startswith("-") else 1 for motor in motors], np.int64)
         self._places = np.full(len(motors), BEFORE_FIRST, np.int64)
@@ -147,12 +148,14 @@ def read_board(data: bytes, motors: int = 3) -> np.ndarray:
     for number, byte in enumerate(data):
         motor, word = byte >> 4, byte & 0x0F
         if word and motor >= motors:
-            raise MachineRefusal("board-motors", "the board has no such motor", value=f"byte {number}: {byte:02X}")
+            what, advice = "the board has no such motor", "read it with as many motors as its board has"
+            raise MachineRefusal("board-motors", what, value=f"byte {number}: {byte:02X}", advice=advice)
         if motor != selected and word:
             place = TWO_PHASES.index(word) if word in TWO_PHASES else places[motor]
             turn = (place - places[motor]) % len(TWO_PHASES)
             if turn not in (1, len(TWO_PHASES) - 1):
-                raise MachineRefusal("board-sequence", "a motor misses a place", value=f"byte {number}: {byte:02X}")
+                what, advice = "a motor misses a place", "record the pulses again"
+                raise MachineRefusal("board-sequence", what, value=f"byte {number}: {byte:02X}", advice=advice)
             places[motor] = place
             moves.append([(1 if turn == 1 else -1) * (k == motor) for k in range(motors)])
         selected = motor

@@ -190,7 +190,8 @@ def pulse_stream(toolpath: Toolpath, machine: Machine | Limits, chunks: Iterable
 def check_axes(axes: int, most: int = MOST_AXES) -> int:
     """Return the number of axes; raises MachineRefusal for more than the stream has."""
     if axes > most:
-        raise MachineRefusal("axes", "too many axes for these signals", value=f"{axes}", limit=f"{most}")
+        advice = "leave axes out of the machine's profile"
+        raise MachineRefusal("axes", "too many axes for these signals", value=f"{axes}", limit=f"{most}", advice=advice)
     return axes
 
 

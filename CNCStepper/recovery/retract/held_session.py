@@ -92,9 +92,9 @@ def _machine(known: Mapping[str, Any], machine: Machine | None) -> Machine:
     try:
         return Machine.model_validate(known["machine"])
     except ValidationError as error:
-        raise JobError(
-            "retreat-machine", Text("the job's machine profile cannot be read: {error}", error=error)
-        ) from error
+        what = Text("the job's machine profile cannot be read: {error}", error=error)
+        advice = "name the machine (--machine)"
+        raise JobError("retreat-machine", what, advice=advice) from error
 
 
 def _started(start: Start, origin: Mapping[str, Any]) -> Start:

@@ -258,7 +258,8 @@ class HeldProgram:
         certificate = certificate_of(proof)
         certificate.check_clean()
         if len(proof.wire.lines) != len(lines):
-            raise JobError("retreat-lines", "the retract cannot be sent as it was written")
+            advice = "please report it, with the program"
+            raise JobError("retreat-lines", "the retract cannot be sent as it was written", advice=advice)
         return content | {
             "certificate": certificate,
             "begin": self.place,

@@ -35,7 +35,8 @@ class Board:
         turning = machine.signals.motors
         if len(turning) > MOTORS:
             value = Text("{count} motors", count=len(turning))
-            raise MachineRefusal("board-motors", "the board has no such motors", value=value, limit="4 motors")
+            what, advice = "the board has no such motors", "name fewer motors in the machine's profile"
+            raise MachineRefusal("board-motors", what, value=value, limit="4 motors", advice=advice)
         self.time_s = 0.0
         self.received = 0
         self.latches = Latches()

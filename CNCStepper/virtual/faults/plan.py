@@ -113,9 +113,8 @@ def read_plan(path: Path) -> FaultPlan:
     try:
         content = _json(path) if path.suffix.lower() == ".json" else read_toml(path)
     except OSError as error:
-        raise JobError(
-            "faults-file", Text("it cannot be read: {error}", error=error.strerror), place=Place(str(path))
-        ) from error
+        what, advice = Text("it cannot be read: {error}", error=error.strerror), "look at its name and rights"
+        raise JobError("faults-file", what, place=Place(str(path)), advice=advice) from error
     return validated(FaultPlan, content, str(path))
 
 
@@ -123,7 +122,9 @@ def _json(path: Path) -> dict[str, Any]:
     try:
         content = json.loads(path.read_text("utf-8-sig"))
     except ValueError as error:
-        raise JobError("json", Text("not a JSON file: {error}", error=error), place=Place(str(path))) from error
+        what, advice = Text("not a JSON file: {error}", error=error), "correct that, or name a JSON file"
+        raise JobError("json", what, place=Place(str(path)), advice=advice) from error
     if not isinstance(content, dict):
-        raise JobError("json", "not an object of keys and values", place=Place(str(path)))
+        advice = "write its keys and values in braces"
+        raise JobError("json", "not an object of keys and values", place=Place(str(path)), advice=advice)
     return content

@@ -178,4 +178,4 @@ def _codes(words: dict[str, str]) -> dict[str, list[int]]:
 
 def _refused(record: str, why: str, limit: str) -> MachineRefusal:
     what = Text("the lathe leaves a record out: {why}", why=why)
-    return MachineRefusal("lathe-record", what, value=record[:60], limit=limit)
+    return MachineRefusal("lathe-record", what, value=record[:60], limit=limit, advice="correct that line")

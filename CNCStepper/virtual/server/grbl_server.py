@@ -158,7 +158,8 @@ def serve(
     """
     check_port_choice(speed, pty, tcp)
     if not 300 <= baud <= 10_000_000:
-        raise LinkError("baud", "the baud rate is out of range", value=str(baud), limit="300 to 10000000")
+        what, advice = "the baud rate is out of range", "give a rate within the limit"
+        raise LinkError("baud", what, value=str(baud), limit="300 to 10000000", advice=advice)
     with contextlib.ExitStack() as stack:
         _compile(machine)
         board = Grbl(machine, homing=homing, probe_height_mm=probe_height_mm, firmware=firmware)

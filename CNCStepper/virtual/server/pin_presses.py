@@ -84,7 +84,8 @@ def _presses(path: Path, names: Sequence[str]) -> list[tuple[str, float, float]]
     try:
         content = tomllib.loads(path.read_text("utf-8-sig"))
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise JobError("toml", Text("not a TOML file: {error}", error=error), place=place) from error
+        advice = "correct that, or name a TOML file"
+        raise JobError("toml", Text("not a TOML file: {error}", error=error), place=place, advice=advice) from error
     if set(content) - {"press"} or not isinstance(content.get("press", []), list):
         raise JobError("press", "a timeline holds nothing but presses", advice=_advice(names), place=place)
     return [_read_press(entry, names, place) for entry in content.get("press", [])]
@@ -104,5 +105,6 @@ def _advice(names: Sequence[str]) -> Text:
 
 def _seconds(value: Any, place: Place) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0 <= value < LONGEST_S:
-        raise JobError("press", "a time of a press is none", value=str(value)[:20], place=place)
+        advice = Text("give 0 or more and less than {longest_s:g} s", longest_s=LONGEST_S)
+        raise JobError("press", "a time of a press is none", value=str(value)[:20], place=place, advice=advice)
     return float(value)

@@ -21,7 +21,8 @@ def check_port_choice(speed: float, pty: object, tcp: object) -> None:
     if (pty is None) == (tcp is None):
         raise LinkError("port-choice", "the virtual machine needs one port", advice="give either --pty or --tcp")
     if not 0 < speed <= FASTEST:
-        raise LinkError("speed", "the speed is out of range", value=f"{speed:g}", limit=f"above 0, up to {FASTEST:g}")
+        what, advice = "the speed is out of range", "give a speed within the limit"
+        raise LinkError("speed", what, value=f"{speed:g}", limit=f"above 0, up to {FASTEST:g}", advice=advice)
 
 
 def open_server_port(pty: str | Path | None, tcp: str | None) -> Port:

@@ -159,5 +159,5 @@ class MeasurePage(Page):
     def _machine(self) -> Machine:
         machine = self.setup.machine
         if machine is None:
-            raise CNCStepperError("bad-value", tr("The profile has a value that is none: mend it first."))
+            raise CNCStepperError("bad-value", "the profile has a value that is none", advice="mend it first")
         return machine

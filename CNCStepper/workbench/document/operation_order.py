@@ -38,9 +38,9 @@ def move(job: Any, operations: Sequence[Any], beside: Any = None, after: bool = 
     """
     for each in [*operations, *([beside] if beside is not None else [])]:
         if each not in job.Operations:
-            raise JobError(
-                "operation-elsewhere", Text("'{each}' is no operation of '{job}'", each=each.Label, job=job.Label)
-            )
+            what = Text("'{each}' is no operation of '{job}'", each=each.Label, job=job.Label)
+            advice = "choose operations of one job"
+            raise JobError("operation-elsewhere", what, advice=advice)
     if beside in operations:
         return
     moved = [each for each in job.Operations if each in operations]

@@ -124,9 +124,9 @@ def _require_lines(drawing: Any, names: tuple[str, ...], solids: bool) -> None:
 
 
 def _drawn_twice(label: str, other: str) -> CNCStepperError:
-    return GeometryError(
-        "drawing-twice", Text("'{label}' is drawn where '{other}' is, and counts once", label=label, other=other)
-    )
+    what = Text("'{label}' is drawn where '{other}' is, and counts once", label=label, other=other)
+    advice = "take one of them out"
+    return GeometryError("drawing-twice", what, advice=advice)
 
 
 def _one_only(drawing: Any, used: Any) -> CNCStepperError:

@@ -38,7 +38,8 @@ def curves_of(
 def require_tolerance(tolerance_mm: float) -> None:
     """Raise GeometryError for a tolerance that cannot be kept."""
     if not tolerance_mm > 0:
-        raise GeometryError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm")
+        advice = "give a tolerance above 0"
+        raise GeometryError("tolerance", "the tolerance must be above 0", value=f"{tolerance_mm:g} mm", advice=advice)
 
 
 def pieces_of(edges: Sequence[Any]) -> list[Piece]:

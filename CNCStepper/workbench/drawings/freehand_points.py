@@ -38,4 +38,6 @@ def freehand_curve(
 def require_not_negative(tolerance_mm: float) -> None:
     """Raise GeometryError for a negative tolerance."""
     if not tolerance_mm >= 0:
-        raise GeometryError("tolerance", "the tolerance must not be negative", value=f"{tolerance_mm:g} mm")
+        raise GeometryError(
+            "tolerance", "the tolerance must not be negative", value=f"{tolerance_mm:g} mm", advice="give 0 or more"
+        )

@@ -383,7 +383,7 @@ class MachineTest(QtGui.QWidget):
         """Return the machine that is shown; raises CNCStepperError while it is none."""
         machine = self._machine()
         if machine is None:
-            raise CNCStepperError("bad-value", tr("The profile has a value that is none: mend it first."))
+            raise CNCStepperError("bad-value", "the profile has a value that is none", advice="mend it first")
         return machine
 
     def _axes(self, name: str) -> Any:

@@ -329,7 +329,9 @@ class ClampList(ObjectList):
         from CNCStepper.errors import JobError
 
         if self.job in [obj, *obj.OutListRecursive]:
-            raise JobError("clamp", Text("'{obj}' stands on this job and cannot be its clamp", obj=obj.Label))
+            what = Text("'{obj}' stands on this job and cannot be its clamp", obj=obj.Label)
+            advice = "choose a solid that does not depend on the job"
+            raise JobError("clamp", what, advice=advice)
         outline_of(obj)
 
     def _show(self, clamp: Any) -> None:

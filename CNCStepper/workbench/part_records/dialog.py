@@ -105,7 +105,8 @@ class PartRecords(QtGui.QDialog):
     def save_plots(self, path: Path) -> None:
         """Write both plots as one picture."""
         if not self.plots.grab().save(str(path)):
-            raise JobError("picture-file", tr("{0} cannot be written").format(path))
+            advice = "choose a folder that exists and that you may write to"
+            raise JobError("picture-file", tr("{0} cannot be written").format(path), advice=advice)
         messages.note(tr("{0} was written").format(path))
 
     def closeEvent(self, event: Any) -> None:
