@@ -18910,6 +18910,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>add X and Y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>add closed = true to the rule, or mend the drawing</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19438,6 +19442,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>begin them with G90 and a move that names X, Y and Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>begin with rapids that name X, Y and Z</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19491,6 +19499,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>beyond these a step lasts over a minute or no time</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>bind it into the drawing, and save it again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19579,6 +19591,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>change one of them</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>change that, or let the CAM program write it for this controller</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -19794,6 +19810,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>choose a solid that does not depend on the job</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>choose a solid, for example a box</source>
             <translation type="unfinished"></translation>
         </message>
@@ -19883,6 +19903,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>choose one with --session</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>choose operations of one job</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20142,7 +20166,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct it, or find it as plain text</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct it; paths are relative to the order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct its condition, or split the program</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20155,6 +20187,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>correct its corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct its loops</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20198,11 +20234,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>correct that, or name a JSON file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct that, or name a TOML file</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>correct the O-words of the macro</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>correct the P word, or the board's settings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>correct the call</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20478,6 +20526,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw a flatter arc</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw an outline in its place</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw an outline round it, or leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw an outline that encloses one area</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20494,7 +20554,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw it again, or make a polyline of it</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw it anew</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw it as lines, arcs, circles, polylines, ellipses or splines</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20518,7 +20586,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>draw its boundary closed, or leave it out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>draw its half profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>draw its outline as a polyline</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20575,6 +20651,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>drill first, or turn a tube</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>drill it in several operations</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20942,6 +21022,22 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give 0 or more</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give 0 or more and less than {longest_s:g} s</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give 0 to {most_mm:g} mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give 1 to 360 angles in brackets</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give 2 or 3 numbers</source>
             <translation type="unfinished"></translation>
         </message>
@@ -20974,11 +21070,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a count within the limit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a device name or socket://host:port</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>give a diameter above the bore and a length above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a distance from 0 to below the limit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a factor above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -20994,7 +21102,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a height for each place of the stock</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a height_mm within the solid, or none for its outline</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a larger factor</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21010,6 +21126,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a rate within the limit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a session file of the sender</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21018,7 +21138,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give a speed within the limit</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give a start position of X, Y and Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give a tolerance above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21062,6 +21190,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give each axis a scale other than 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give each material its own number</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21074,7 +21206,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give each point an x and a y</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give each row its own number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give each tool its own number</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21107,6 +21247,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give it a height above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21143,6 +21287,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>give its {own_key}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give numbers only</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give one of the two another label</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -21210,6 +21362,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>give the tool a smaller number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>give the tool a {name}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -21251,6 +21407,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>give two opposite corners of a rectangle, or three and more of a polygon in their order</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give two points or more, and one bulge fewer</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give two radii above 0</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>give values above 0</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22142,6 +22310,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>lean them by {most_deg:g} deg at most</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>least_ms must not be above first_ms</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22154,11 +22326,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave axes out of the machine's profile</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave blade_offset_mm out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>leave it out, or save the tools in a file of another kind</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>leave it out: Marlin has only this mode</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>leave its unit as it is</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22270,6 +22454,18 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>let each begin where the one before ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>let fewer of them call each other</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>let it end after its begin</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>let it plunge at the start of the contour</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22287,6 +22483,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>lift the head higher, or go round the piece</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>lift the tool above {highest_cut:g} mm before the change</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -22430,6 +22630,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>look at the machine, and jog again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>look at the machine, and restart the program by hand</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22542,6 +22746,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make J larger or R smaller</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make Q larger</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22650,6 +22858,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>make the message in it shorter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>make the passes, the levels, the resolution or the entry angle larger</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22738,6 +22950,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>mend it first</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>mend one of them, or select others</source>
             <translation type="unfinished"></translation>
         </message>
@@ -22807,6 +23023,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>move one of the corners</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>move or turn that part, or nest again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23002,6 +23222,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name a serial device, socket://host:port or record:FILE, or choose another machine</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name a shape of one curve</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23019,6 +23243,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>name both axes</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name each by its place, from 0 on</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name fewer motors in the machine's profile</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -23046,6 +23278,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>name one of these verbs</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>name one of {names}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -23055,6 +23291,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>name one that the system has: {families}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>name only groups that the pattern has, and write each backslash twice</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24242,6 +24482,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>read it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>read it with as many motors as its board has</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>read its message, and correct that line</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24287,6 +24535,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>recompute the document</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>record the pulses again</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24351,6 +24603,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>repair the mesh, and export it again</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>repair the solid</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24490,6 +24746,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>save it again in FreeCAD's tool bit editor (CAM)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save it again in FreeCAD's tool library editor (CAM)</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>save it as CSV</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24531,6 +24795,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>save the material anew in FreeCAD</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>save the solid in a document of its own</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24858,6 +25126,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>simplify the solid</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>simplify the solid, or end the script's loop</source>
             <translation type="unfinished"></translation>
         </message>
@@ -24891,6 +25163,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>something else than grbl answers at {port}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>sort its lines by number, each once</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -24931,6 +25207,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>split it into several drawings</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>split it there</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25182,6 +25462,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>take a lock out</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
             <translation type="unfinished"></translation>
         </message>
@@ -25215,6 +25499,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>take it out, allow other rotations, or add a larger sheet</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>take it out, or end with M2</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -27506,6 +27794,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the profile has a value that is none</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the profile has an undercut: it runs back towards the end face</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29634,6 +29926,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>use fewer, or split the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>use larger steps or a smaller depth</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29822,6 +30118,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>watch the machine until the job ends</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>way back from a limit switch</source>
             <translation type="unfinished"></translation>
         </message>
@@ -29927,6 +30227,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write 0.35 mm as 350</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write 1 for G54, 2 for G55 and so on</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30078,6 +30382,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write T and a number of its own in each line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write T{number}, and keep the offset of the tool there</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30106,11 +30414,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write [[tool]] and below it number = 1</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write [[{key}]]</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>write a G0 or G1 before</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a G0 to that place, and {owner} alone on the next line</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30154,6 +30470,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write a line such as: 5221 12.5</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30163,6 +30483,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write a number</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write a number within the limit, or leave N out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30266,7 +30590,19 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write it as an object, in braces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write it as two</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write it before or after the other one</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write it first, or leave it out</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30294,6 +30630,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write it once</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write its KindOfMaterial in FreeCAD, one of: {kinds}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30307,6 +30647,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write its endif, endwhile, endrepeat, while or endsub</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write its keys and values in braces</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write its name in quotes, for example process = "plasma"</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30326,7 +30674,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write notes = ["…", "…"]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write numbers in mm</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write one before it, or correct the label</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30378,6 +30734,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>write that as its last line</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write that place by hand, and please report it, with the program</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>write the arc with more decimals</source>
             <translation type="unfinished"></translation>
         </message>
@@ -30391,6 +30755,10 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write the cuts as [[operation]]</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write the cycle outside of it, or correct the numbers of its first and its last block</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -30443,6 +30811,14 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>write the words with plain numbers</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write them flatter</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>write them on a line of their own, with G0 or G1</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

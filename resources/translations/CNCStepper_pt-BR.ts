@@ -18947,6 +18947,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acrescente Q</translation>
         </message>
         <message>
+            <source>add X and Y</source>
+            <translation>acrescente X e Y</translation>
+        </message>
+        <message>
             <source>add closed = true to the rule, or mend the drawing</source>
             <translation>acrescente closed = true à regra, ou conserte o desenho</translation>
         </message>
@@ -19475,6 +19479,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>comece o programa com um rápido até um Z seguro</translation>
         </message>
         <message>
+            <source>begin them with G90 and a move that names X, Y and Z</source>
+            <translation>comece-as com G90 e um movimento que nomeie X, Y e Z</translation>
+        </message>
+        <message>
             <source>begin with rapids that name X, Y and Z</source>
             <translation>comece com rápidos que indiquem X, Y e Z</translation>
         </message>
@@ -19529,6 +19537,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>beyond these a step lasts over a minute or no time</source>
             <translation>além destes um passo dura mais de um minuto ou tempo nenhum</translation>
+        </message>
+        <message>
+            <source>bind it into the drawing, and save it again</source>
+            <translation>incorpore-a ao desenho e salve-o de novo</translation>
         </message>
         <message>
             <source>blur the picture, scale it down, or choose another threshold</source>
@@ -19617,6 +19629,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>change one of them</source>
             <translation>mude um deles</translation>
+        </message>
+        <message>
+            <source>change that, or let the CAM program write it for this controller</source>
+            <translation>mude isso, ou deixe que o programa de CAM o escreva para este controlador</translation>
         </message>
         <message>
             <source>change the distance or the tolerance a little</source>
@@ -19831,6 +19847,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escolha uma ferramenta menor ou fure</translation>
         </message>
         <message>
+            <source>choose a solid that does not depend on the job</source>
+            <translation>escolha um sólido que não dependa do trabalho</translation>
+        </message>
+        <message>
             <source>choose a solid, for example a box</source>
             <translation>escolha um sólido, por exemplo uma caixa</translation>
         </message>
@@ -19921,6 +19941,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>choose one with --session</source>
             <translation>escolha um com --session</translation>
+        </message>
+        <message>
+            <source>choose operations of one job</source>
+            <translation>escolha operações de um só trabalho</translation>
         </message>
         <message>
             <source>choose other values, or try again</source>
@@ -20179,8 +20203,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>corrija-o</translation>
         </message>
         <message>
+            <source>correct it, or find it as plain text</source>
+            <translation>corrija-o, ou procure-o como texto simples</translation>
+        </message>
+        <message>
             <source>correct it; paths are relative to the order</source>
             <translation>corrija; os caminhos são relativos ao pedido</translation>
+        </message>
+        <message>
+            <source>correct its condition, or split the program</source>
+            <translation>corrija a condição dele, ou divida o programa</translation>
         </message>
         <message>
             <source>correct its configuration file, then restart the controller</source>
@@ -20193,6 +20225,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>correct its corners</source>
             <translation>corrija os cantos</translation>
+        </message>
+        <message>
+            <source>correct its loops</source>
+            <translation>corrija os laços dele</translation>
         </message>
         <message>
             <source>correct its spelling or take it out; known {table}are: {known}</source>
@@ -20235,12 +20271,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>corrija esse valor</translation>
         </message>
         <message>
+            <source>correct that, or name a JSON file</source>
+            <translation>corrija isso, ou indique um arquivo JSON</translation>
+        </message>
+        <message>
+            <source>correct that, or name a TOML file</source>
+            <translation>corrija isso, ou indique um arquivo TOML</translation>
+        </message>
+        <message>
             <source>correct the O-words of the macro</source>
             <translation>corrija as palavras O da macro</translation>
         </message>
         <message>
             <source>correct the P word, or the board's settings</source>
             <translation>corrija a palavra P ou as configurações da placa</translation>
+        </message>
+        <message>
+            <source>correct the call</source>
+            <translation>corrija a chamada</translation>
         </message>
         <message>
             <source>correct the centre or the end point</source>
@@ -20515,6 +20563,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desenhe um círculo ou corte-a como bolsão elíptico</translation>
         </message>
         <message>
+            <source>draw a flatter arc</source>
+            <translation>desenhe um arco mais plano</translation>
+        </message>
+        <message>
+            <source>draw an outline in its place</source>
+            <translation>desenhe um contorno no lugar dela</translation>
+        </message>
+        <message>
+            <source>draw an outline round it, or leave it out</source>
+            <translation>desenhe um contorno em volta dele ou deixe-o de fora</translation>
+        </message>
+        <message>
             <source>draw an outline that encloses one area</source>
             <translation>desenhe um contorno que encerre uma só área</translation>
         </message>
@@ -20531,8 +20591,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desenhe os furos como círculos ou dê pontos</translation>
         </message>
         <message>
+            <source>draw it again, or make a polyline of it</source>
+            <translation>desenhe-o de novo, ou faça dele uma polilinha</translation>
+        </message>
+        <message>
             <source>draw it anew</source>
             <translation>desenhe de novo</translation>
+        </message>
+        <message>
+            <source>draw it as lines, arcs, circles, polylines, ellipses or splines</source>
+            <translation>desenhe-o como linhas, arcos, círculos, polilinhas, elipses ou splines</translation>
         </message>
         <message>
             <source>draw it in a [[shape]] table</source>
@@ -20555,8 +20623,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>desenhe-o no plano XZ, com X como raio e Z ao longo do eixo</translation>
         </message>
         <message>
+            <source>draw its boundary closed, or leave it out</source>
+            <translation>desenhe a sua fronteira fechada, ou deixe-a de fora</translation>
+        </message>
+        <message>
             <source>draw its half profile</source>
             <translation>desenhe seu meio perfil</translation>
+        </message>
+        <message>
+            <source>draw its outline as a polyline</source>
+            <translation>desenhe o seu contorno como polilinha</translation>
         </message>
         <message>
             <source>draw lines, arcs, circles, polylines, ellipses or splines in its model space, on visible layers</source>
@@ -20613,6 +20689,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>drill first, or turn a tube</source>
             <translation>fure antes, ou torneie um tubo</translation>
+        </message>
+        <message>
+            <source>drill it in several operations</source>
+            <translation>fure-a em várias operações</translation>
         </message>
         <message>
             <source>drill less deep, or use a longer bar</source>
@@ -20979,6 +21059,22 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>indique /dev/parport0, socket://host:porta, um dispositivo serial ou record:ARQUIVO</translation>
         </message>
         <message>
+            <source>give 0 or more</source>
+            <translation>dê 0 ou mais</translation>
+        </message>
+        <message>
+            <source>give 0 or more and less than {longest_s:g} s</source>
+            <translation>dê 0 ou mais e menos de {longest_s:g} s</translation>
+        </message>
+        <message>
+            <source>give 0 to {most_mm:g} mm</source>
+            <translation>dê de 0 a {most_mm:g} mm</translation>
+        </message>
+        <message>
+            <source>give 1 to 360 angles in brackets</source>
+            <translation>dê de 1 a 360 ângulos entre colchetes</translation>
+        </message>
+        <message>
             <source>give 2 or 3 numbers</source>
             <translation>dê 2 ou 3 números</translation>
         </message>
@@ -21011,12 +21107,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>dê um contorno fechado</translation>
         </message>
         <message>
+            <source>give a count within the limit</source>
+            <translation>dê um número dentro do limite</translation>
+        </message>
+        <message>
             <source>give a device name or socket://host:port</source>
             <translation>dê um nome de dispositivo ou socket://host:porta</translation>
         </message>
         <message>
             <source>give a diameter above the bore and a length above 0</source>
             <translation>informe um diâmetro maior que o furo e um comprimento acima de 0</translation>
+        </message>
+        <message>
+            <source>give a distance from 0 to below the limit</source>
+            <translation>dê uma distância de 0 até menos que o limite</translation>
+        </message>
+        <message>
+            <source>give a factor above 0</source>
+            <translation>dê um fator maior que 0</translation>
         </message>
         <message>
             <source>give a file that ends in {endings}</source>
@@ -21031,8 +21139,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>informe uma altura maior</translation>
         </message>
         <message>
+            <source>give a height for each place of the stock</source>
+            <translation>dê uma altura para cada lugar do bruto</translation>
+        </message>
+        <message>
             <source>give a height_mm within the solid, or none for its outline</source>
             <translation>dê um height_mm dentro do sólido, ou nenhum para o seu contorno</translation>
+        </message>
+        <message>
+            <source>give a larger factor</source>
+            <translation>dê um fator maior</translation>
         </message>
         <message>
             <source>give a line</source>
@@ -21047,6 +21163,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>dê um programa que corte em X e Y</translation>
         </message>
         <message>
+            <source>give a rate within the limit</source>
+            <translation>dê uma velocidade em baud dentro do limite</translation>
+        </message>
+        <message>
             <source>give a session file of the sender</source>
             <translation>dê um arquivo de sessão de quem envia</translation>
         </message>
@@ -21055,8 +21175,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>dê um arquivo menor</translation>
         </message>
         <message>
+            <source>give a speed within the limit</source>
+            <translation>dê uma velocidade dentro do limite</translation>
+        </message>
+        <message>
             <source>give a start position of X, Y and Z</source>
             <translation>dê uma posição inicial de X, Y e Z</translation>
+        </message>
+        <message>
+            <source>give a tolerance above 0</source>
+            <translation>dê uma tolerância maior que 0</translation>
         </message>
         <message>
             <source>give a value that the setting allows</source>
@@ -21099,6 +21227,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>indique dwell_s ou use G81</translation>
         </message>
         <message>
+            <source>give each axis a scale other than 0</source>
+            <translation>dê a cada eixo uma escala diferente de 0</translation>
+        </message>
+        <message>
             <source>give each material its own number</source>
             <translation>dê a cada material um número próprio</translation>
         </message>
@@ -21111,8 +21243,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>dê cada pedaço como uma peça própria</translation>
         </message>
         <message>
+            <source>give each point an x and a y</source>
+            <translation>dê a cada ponto um x e um y</translation>
+        </message>
+        <message>
             <source>give each row its own number</source>
             <translation>dê a cada linha um número próprio</translation>
+        </message>
+        <message>
+            <source>give each tool its own number</source>
+            <translation>dê a cada ferramenta um número próprio</translation>
         </message>
         <message>
             <source>give either --pty or --tcp</source>
@@ -21145,6 +21285,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
             <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
+        </message>
+        <message>
+            <source>give it a height above 0</source>
+            <translation>dê a ele uma altura maior que 0</translation>
         </message>
         <message>
             <source>give it a short name on one line</source>
@@ -21181,6 +21325,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>give its {own_key}</source>
             <translation>informe {own_key} dela</translation>
+        </message>
+        <message>
+            <source>give numbers only</source>
+            <translation>dê somente números</translation>
+        </message>
+        <message>
+            <source>give one of the two another label</source>
+            <translation>dê a um dos dois outro rótulo</translation>
         </message>
         <message>
             <source>give one of them</source>
@@ -21247,6 +21399,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>dê à ferramenta um length_offset_mm ou escolha outro tool_length para a máquina</translation>
         </message>
         <message>
+            <source>give the tool a smaller number</source>
+            <translation>dê à ferramenta um número menor</translation>
+        </message>
+        <message>
             <source>give the tool a {name}</source>
             <translation>dê à ferramenta um {name}</translation>
         </message>
@@ -21289,6 +21445,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>give two opposite corners of a rectangle, or three and more of a polygon in their order</source>
             <translation>informe dois cantos opostos de um retângulo, ou três ou mais de um polígono, na ordem</translation>
+        </message>
+        <message>
+            <source>give two points or more, and one bulge fewer</source>
+            <translation>dê dois pontos ou mais, e um bulge a menos</translation>
+        </message>
+        <message>
+            <source>give two radii above 0</source>
+            <translation>dê dois semieixos maiores que 0</translation>
+        </message>
+        <message>
+            <source>give values above 0</source>
+            <translation>dê valores maiores que 0</translation>
         </message>
         <message>
             <source>give {key}, or a pattern of circles</source>
@@ -22179,6 +22347,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>entradas e saídas tiveram de ser diminuídas para ficar na sobra, até {smallest:.0%} do seu tamanho</translation>
         </message>
         <message>
+            <source>lean them by {most_deg:g} deg at most</source>
+            <translation>incline-as no máximo {most_deg:g} graus</translation>
+        </message>
+        <message>
             <source>least_ms must not be above first_ms</source>
             <translation>least_ms não pode ser maior que first_ms</translation>
         </message>
@@ -22191,12 +22363,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>omita --part</translation>
         </message>
         <message>
+            <source>leave axes out of the machine's profile</source>
+            <translation>retire eixos do perfil da máquina</translation>
+        </message>
+        <message>
             <source>leave blade_offset_mm out</source>
             <translation>omita blade_offset_mm</translation>
         </message>
         <message>
+            <source>leave it out, or save the tools in a file of another kind</source>
+            <translation>deixe-a de fora, ou salve as ferramentas em um arquivo de outro tipo</translation>
+        </message>
+        <message>
             <source>leave it out: Marlin has only this mode</source>
             <translation>omita-a: o Marlin só tem este modo</translation>
+        </message>
+        <message>
+            <source>leave its unit as it is</source>
+            <translation>deixe a unidade como está</translation>
         </message>
         <message>
             <source>leave less for the finishing pass, or islands remain</source>
@@ -22307,6 +22491,18 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>faça Z sempre subir ou sempre descer</translation>
         </message>
         <message>
+            <source>let each begin where the one before ends</source>
+            <translation>faça cada uma começar onde termina a anterior</translation>
+        </message>
+        <message>
+            <source>let fewer of them call each other</source>
+            <translation>faça com que menos delas chamem umas às outras</translation>
+        </message>
+        <message>
+            <source>let it end after its begin</source>
+            <translation>faça-o terminar depois do seu início</translation>
+        </message>
+        <message>
             <source>let it plunge at the start of the contour</source>
             <translation>faça-a mergulhar no início do contorno</translation>
         </message>
@@ -22325,6 +22521,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>lift the head higher, or go round the piece</source>
             <translation>levante mais o cabeçote, ou contorne a peça</translation>
+        </message>
+        <message>
+            <source>lift the tool above {highest_cut:g} mm before the change</source>
+            <translation>levante a ferramenta acima de {highest_cut:g} mm antes da troca</translation>
         </message>
         <message>
             <source>lift the tool before it</source>
@@ -22467,6 +22667,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>olhe a máquina</translation>
         </message>
         <message>
+            <source>look at the machine, and jog again</source>
+            <translation>olhe para a máquina e mova de novo</translation>
+        </message>
+        <message>
             <source>look at the machine, and restart the program by hand</source>
             <translation>olhe a máquina e reinicie o programa à mão</translation>
         </message>
@@ -22579,6 +22783,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>diminua D</translation>
         </message>
         <message>
+            <source>make J larger or R smaller</source>
+            <translation>aumente J ou diminua R</translation>
+        </message>
+        <message>
             <source>make Q larger</source>
             <translation>aumente Q</translation>
         </message>
@@ -22687,6 +22895,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>encurte a lista</translation>
         </message>
         <message>
+            <source>make the message in it shorter</source>
+            <translation>encurte a mensagem que ela contém</translation>
+        </message>
+        <message>
             <source>make the passes, the levels, the resolution or the entry angle larger</source>
             <translation>aumente os passes, os níveis, a resolução ou o ângulo de entrada</translation>
         </message>
@@ -22775,6 +22987,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>meça a largura do corte dela, ou omita kerf_mm</translation>
         </message>
         <message>
+            <source>mend it first</source>
+            <translation>corrija-o primeiro</translation>
+        </message>
+        <message>
             <source>mend one of them, or select others</source>
             <translation>corrija um deles, ou selecione outros</translation>
         </message>
@@ -22845,6 +23061,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>move one of the corners</source>
             <translation>mova um dos cantos</translation>
+        </message>
+        <message>
+            <source>move or turn that part, or nest again</source>
+            <translation>mova ou gire essa peça, ou aninhe de novo</translation>
         </message>
         <message>
             <source>move other axes before</source>
@@ -23039,6 +23259,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>indique um script com o sufixo .py</translation>
         </message>
         <message>
+            <source>name a serial device, socket://host:port or record:FILE, or choose another machine</source>
+            <translation>indique um dispositivo serial, socket://host:porta ou record:ARQUIVO, ou escolha outra máquina</translation>
+        </message>
+        <message>
             <source>name a shape of one curve</source>
             <translation>indique uma forma de uma só curva</translation>
         </message>
@@ -23057,6 +23281,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>name both axes</source>
             <translation>indique os dois eixos</translation>
+        </message>
+        <message>
+            <source>name each by its place, from 0 on</source>
+            <translation>nomeie cada um pelo seu lugar, a partir de 0</translation>
+        </message>
+        <message>
+            <source>name fewer motors in the machine's profile</source>
+            <translation>indique menos motores no perfil da máquina</translation>
         </message>
         <message>
             <source>name it</source>
@@ -23083,6 +23315,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>nomeie uma delas</translation>
         </message>
         <message>
+            <source>name one of these verbs</source>
+            <translation>nomeie um destes verbos</translation>
+        </message>
+        <message>
             <source>name one of {names}</source>
             <translation>indique um entre {names}</translation>
         </message>
@@ -23093,6 +23329,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>name one that the system has: {families}</source>
             <translation>indique uma que o sistema tenha: {families}</translation>
+        </message>
+        <message>
+            <source>name only groups that the pattern has, and write each backslash twice</source>
+            <translation>cite só grupos que o padrão tem, e escreva cada barra invertida duas vezes</translation>
         </message>
         <message>
             <source>name the machine (--machine)</source>
@@ -24279,6 +24519,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>tida como fresa de topo: '{name}' não nomeia uma forma que as palavras de uma tabela digam</translation>
         </message>
         <message>
+            <source>read it again</source>
+            <translation>leia-o de novo</translation>
+        </message>
+        <message>
+            <source>read it with as many motors as its board has</source>
+            <translation>leia-o com tantos motores quantos a sua placa tem</translation>
+        </message>
+        <message>
             <source>read its message, and correct that line</source>
             <translation>veja o que ele diz e corrija essa linha</translation>
         </message>
@@ -24325,6 +24573,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>recompute the document</source>
             <translation>recalcule o documento</translation>
+        </message>
+        <message>
+            <source>record the pulses again</source>
+            <translation>grave os pulsos de novo</translation>
         </message>
         <message>
             <source>redraw it</source>
@@ -24389,6 +24641,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>repair the mesh, and export it again</source>
             <translation>repare a malha e exporte-a de novo</translation>
+        </message>
+        <message>
+            <source>repair the solid</source>
+            <translation>repare o sólido</translation>
         </message>
         <message>
             <source>repair the solid, or use another thickness</source>
@@ -24527,6 +24783,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>salve-o de novo no programa de desenho como SVG simples</translation>
         </message>
         <message>
+            <source>save it again in FreeCAD's tool bit editor (CAM)</source>
+            <translation>salve-a de novo no editor de ferramentas do FreeCAD (CAM)</translation>
+        </message>
+        <message>
+            <source>save it again in FreeCAD's tool library editor (CAM)</source>
+            <translation>salve-a de novo no editor de bibliotecas de ferramentas do FreeCAD (CAM)</translation>
+        </message>
+        <message>
             <source>save it as CSV</source>
             <translation>salve como CSV</translation>
         </message>
@@ -24569,6 +24833,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>save the material anew in FreeCAD</source>
             <translation>salve o material de novo no FreeCAD</translation>
+        </message>
+        <message>
+            <source>save the solid in a document of its own</source>
+            <translation>salve o sólido em um documento próprio</translation>
         </message>
         <message>
             <source>say it in the machine's profile: [signals] pins = {{ {name} = 2, ... }}</source>
@@ -24895,6 +25163,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>simplifique-a ou use uma tolerância maior</translation>
         </message>
         <message>
+            <source>simplify the solid</source>
+            <translation>simplifique o sólido</translation>
+        </message>
+        <message>
             <source>simplify the solid, or end the script's loop</source>
             <translation>simplifique o sólido ou termine o laço do script</translation>
         </message>
@@ -24929,6 +25201,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>something else than grbl answers at {port}</source>
             <translation>quem responde em {port} não é um grbl</translation>
+        </message>
+        <message>
+            <source>sort its lines by number, each once</source>
+            <translation>ordene as linhas pelo número, cada um uma só vez</translation>
         </message>
         <message>
             <source>spacing_mm asks for more than {most_tabs} tabs on one contour</source>
@@ -24969,6 +25245,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>split it into several drawings</source>
             <translation>divida-o em vários desenhos</translation>
+        </message>
+        <message>
+            <source>split it there</source>
+            <translation>divida-a ali</translation>
         </message>
         <message>
             <source>split it, or send it with cncstepper send</source>
@@ -25219,6 +25499,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use um tolerance_mm maior, ou desenhe polilinhas ou arcos no lugar delas</translation>
         </message>
         <message>
+            <source>take a lock out</source>
+            <translation>retire uma trava</translation>
+        </message>
+        <message>
             <source>take a thickness within it, another consumable, or give a chart of your own with this row</source>
             <translation>use uma espessura dentro dela, outro consumível, ou dê uma tabela própria com esta linha</translation>
         </message>
@@ -25253,6 +25537,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>take it out, allow other rotations, or add a larger sheet</source>
             <translation>retire-a, permita outras rotações ou acrescente uma chapa maior</translation>
+        </message>
+        <message>
+            <source>take it out, or end with M2</source>
+            <translation>retire-o, ou termine com M2</translation>
         </message>
         <message>
             <source>take it out, or use one of: NAME, {keys}</source>
@@ -27543,6 +27831,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>o perfil passa do centro</translation>
         </message>
         <message>
+            <source>the profile has a value that is none</source>
+            <translation>o perfil tem um valor inválido</translation>
+        </message>
+        <message>
             <source>the profile has an undercut: it runs back towards the end face</source>
             <translation>o perfil tem um rebaixo: ele volta em direção à face</translation>
         </message>
@@ -29671,6 +29963,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>use a entrada "ramp" ou "plunge"</translation>
         </message>
         <message>
+            <source>use fewer, or split the program</source>
+            <translation>use menos, ou divida o programa</translation>
+        </message>
+        <message>
             <source>use larger steps or a smaller depth</source>
             <translation>use passos maiores ou uma profundidade menor</translation>
         </message>
@@ -29859,6 +30155,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>acorde-a com um reset e referencie-a</translation>
         </message>
         <message>
+            <source>watch the machine until the job ends</source>
+            <translation>observe a máquina até o fim do trabalho</translation>
+        </message>
+        <message>
             <source>way back from a limit switch</source>
             <translation>recuo a partir do fim de curso</translation>
         </message>
@@ -29965,6 +30265,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write 0.35 mm as 350</source>
             <translation>escreva 0,35 mm como 350</translation>
+        </message>
+        <message>
+            <source>write 1 for G54, 2 for G55 and so on</source>
+            <translation>escreva 1 para G54, 2 para G55 e assim por diante</translation>
         </message>
         <message>
             <source>write ATAN[y]/[x]</source>
@@ -30115,6 +30419,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva S antes</translation>
         </message>
         <message>
+            <source>write T and a number of its own in each line</source>
+            <translation>escreva em cada linha T e um número próprio</translation>
+        </message>
+        <message>
             <source>write T{number}, and keep the offset of the tool there</source>
             <translation>escreva T{number} e guarde ali o corretor da ferramenta</translation>
         </message>
@@ -30143,12 +30451,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva [[press]] com pin (um de {names}), at_s e, se não {tap_s:g}, for_s</translation>
         </message>
         <message>
+            <source>write [[tool]] and below it number = 1</source>
+            <translation>escreva [[tool]] e abaixo number = 1</translation>
+        </message>
+        <message>
             <source>write [[{key}]]</source>
             <translation>escreva [[{key}]]</translation>
         </message>
         <message>
             <source>write a G0 or G1 before</source>
             <translation>escreva antes um G0 ou G1</translation>
+        </message>
+        <message>
+            <source>write a G0 to that place, and {owner} alone on the next line</source>
+            <translation>escreva um G0 até esse ponto, e {owner} sozinho na linha seguinte</translation>
         </message>
         <message>
             <source>write a G0 with numbers before it</source>
@@ -30191,6 +30507,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva uma linha para cada: stepdown_mm = 2</translation>
         </message>
         <message>
+            <source>write a line such as: 5221 12.5</source>
+            <translation>escreva uma linha como: 5221 12.5</translation>
+        </message>
+        <message>
             <source>write a line such as: T3 P3 D6.0 Z+41.5 ;6 mm end mill</source>
             <translation>escreva uma linha como: T3 P3 D6.0 Z+41.5 ;6 mm end mill</translation>
         </message>
@@ -30201,6 +30521,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write a number</source>
             <translation>escreva um número</translation>
+        </message>
+        <message>
+            <source>write a number within the limit, or leave N out</source>
+            <translation>escreva um número dentro do limite, ou omita N</translation>
         </message>
         <message>
             <source>write a number within these bounds: {why}</source>
@@ -30303,8 +30627,20 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva como [[x, y], [x, y], [x, y]]</translation>
         </message>
         <message>
+            <source>write it as an object, in braces</source>
+            <translation>escreva-o como um objeto, entre chaves</translation>
+        </message>
+        <message>
             <source>write it as two</source>
             <translation>escreva-a em duas</translation>
+        </message>
+        <message>
+            <source>write it before or after the other one</source>
+            <translation>escreva-a antes ou depois da outra</translation>
+        </message>
+        <message>
+            <source>write it first, or leave it out</source>
+            <translation>escreva-a primeiro, ou omita-a</translation>
         </message>
         <message>
             <source>write it in FreeCAD's material editor</source>
@@ -30331,6 +30667,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva-o na linha seguinte</translation>
         </message>
         <message>
+            <source>write it once</source>
+            <translation>escreva-a uma só vez</translation>
+        </message>
+        <message>
             <source>write its KindOfMaterial in FreeCAD, one of: {kinds}</source>
             <translation>escreva o KindOfMaterial dele no FreeCAD, um destes: {kinds}</translation>
         </message>
@@ -30345,6 +30685,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write its endif, endwhile, endrepeat, while or endsub</source>
             <translation>escreva o seu endif, endwhile, endrepeat, while ou endsub</translation>
+        </message>
+        <message>
+            <source>write its keys and values in braces</source>
+            <translation>escreva os nomes e os valores entre chaves</translation>
+        </message>
+        <message>
+            <source>write its name in quotes, for example process = "plasma"</source>
+            <translation>escreva o nome entre aspas, por exemplo process = "plasma"</translation>
         </message>
         <message>
             <source>write its passes as moves: make the program again with canned = false</source>
@@ -30363,8 +30711,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva em mm</translation>
         </message>
         <message>
+            <source>write notes = ["…", "…"]</source>
+            <translation>escreva notes = ["…", "…"]</translation>
+        </message>
+        <message>
             <source>write numbers in mm</source>
             <translation>escreva números em mm</translation>
+        </message>
+        <message>
+            <source>write one before it, or correct the label</source>
+            <translation>escreva um antes, ou corrija o rótulo</translation>
         </message>
         <message>
             <source>write one of them</source>
@@ -30415,6 +30771,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>escreva tcp://127.0.0.1:8786, ou tls://HOST:8786</translation>
         </message>
         <message>
+            <source>write that as its last line</source>
+            <translation>escreva isso como a última linha</translation>
+        </message>
+        <message>
+            <source>write that place by hand, and please report it, with the program</source>
+            <translation>escreva esse trecho à mão e relate-o, por favor, com o programa</translation>
+        </message>
+        <message>
             <source>write the arc with more decimals</source>
             <translation>escreva o arco com mais decimais</translation>
         </message>
@@ -30429,6 +30793,10 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write the cuts as [[operation]]</source>
             <translation>escreva o que deve ser cortado como [[operation]]</translation>
+        </message>
+        <message>
+            <source>write the cycle outside of it, or correct the numbers of its first and its last block</source>
+            <translation>escreva o ciclo fora dele, ou corrija os números do seu primeiro e do seu último bloco</translation>
         </message>
         <message>
             <source>write the cycle's moves</source>
@@ -30481,6 +30849,14 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>write the words with plain numbers</source>
             <translation>escreva as palavras com números simples</translation>
+        </message>
+        <message>
+            <source>write them flatter</source>
+            <translation>escreva-os menos aninhados</translation>
+        </message>
+        <message>
+            <source>write them on a line of their own, with G0 or G1</source>
+            <translation>escreva-as em uma linha própria, com G0 ou G1</translation>
         </message>
         <message>
             <source>write them on two lines</source>
