@@ -16055,15 +16055,15 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the connection service has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the connection to {port} stays open for {keep_min:g} min; `cncstepper disconnect` closes it</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
             <source>the controller does not tell its overrides</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the desk has ended</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -25946,7 +25946,23 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>the connection service cannot be started: {error}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>the connection service does not start</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection service failed by a fault of its own</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection service has ended</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>the connection service of {port} is not there, or was killed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
@@ -26287,22 +26303,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
         </message>
         <message>
             <source>the depth over the key</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the desk cannot be started: {error}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the desk failed by a fault of its own</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the desk has ended</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
-            <source>the desk of {port} is not there, or was killed</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -16092,16 +16092,16 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a tabela não tem linha de {process}</translation>
         </message>
         <message>
+            <source>the connection service has ended</source>
+            <translation>o serviço de conexão terminou</translation>
+        </message>
+        <message>
             <source>the connection to {port} stays open for {keep_min:g} min; `cncstepper disconnect` closes it</source>
             <translation>a conexão com {port} fica aberta por {keep_min:g} min; `cncstepper disconnect` a fecha</translation>
         </message>
         <message>
             <source>the controller does not tell its overrides</source>
             <translation>o controlador não informa os seus ajustes</translation>
-        </message>
-        <message>
-            <source>the desk has ended</source>
-            <translation>a conexão da janela terminou</translation>
         </message>
         <message>
             <source>the file is written anew, in our own layout: its comments are not in it</source>
@@ -25983,8 +25983,24 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>a conexão não termina</translation>
         </message>
         <message>
+            <source>the connection service cannot be started: {error}</source>
+            <translation>o serviço de conexão não pode ser iniciado: {error}</translation>
+        </message>
+        <message>
             <source>the connection service does not start</source>
-            <translation>o processo da mesa de controle não inicia</translation>
+            <translation>o serviço de conexão não inicia</translation>
+        </message>
+        <message>
+            <source>the connection service failed by a fault of its own</source>
+            <translation>o serviço de conexão falhou por um defeito próprio</translation>
+        </message>
+        <message>
+            <source>the connection service has ended</source>
+            <translation>o serviço de conexão terminou</translation>
+        </message>
+        <message>
+            <source>the connection service of {port} is not there, or was killed</source>
+            <translation>o serviço de conexão de {port} não está ali, ou foi encerrado à força</translation>
         </message>
         <message>
             <source>the connection to the scheduler is lost</source>
@@ -26325,22 +26341,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <message>
             <source>the depth over the key</source>
             <translation>a profundidade sobre a chaveta</translation>
-        </message>
-        <message>
-            <source>the desk cannot be started: {error}</source>
-            <translation>a mesa de controle não pode ser iniciada: {error}</translation>
-        </message>
-        <message>
-            <source>the desk failed by a fault of its own</source>
-            <translation>a mesa de controle falhou por um defeito próprio</translation>
-        </message>
-        <message>
-            <source>the desk has ended</source>
-            <translation>a conexão da janela terminou</translation>
-        </message>
-        <message>
-            <source>the desk of {port} is not there, or was killed</source>
-            <translation>a mesa de controle de {port} não existe ou foi encerrada</translation>
         </message>
         <message>
             <source>the device has accepted nothing for {limit:g} s; steps may be lost</source>
