@@ -77,7 +77,8 @@ def _run(service: ConnectionService, service_file: ServiceFile) -> CNCStepperErr
         return error
     except Exception:
         traceback.print_exc()
-        return CNCStepperError("desk-fault", "the connection service failed by a fault of its own", advice="see its log, report it")
+        what = "the connection service failed by a fault of its own"
+        return CNCStepperError("desk-fault", what, advice="see its log, report it")
     return None
 
 

@@ -130,7 +130,8 @@ class ServiceClient:
     def check(self) -> None:
         """Raise why the service has ended, if it has."""
         if self.is_over:
-            raise self.client.error or CNCStepperError("desk-gone", "the connection service has ended", advice="try again")
+            what = "the connection service has ended"
+            raise self.client.error or CNCStepperError("desk-gone", what, advice="try again")
 
     def look(self) -> list[Event]:
         """Wait a moment and return what has happened; raises the error when the service has ended."""

@@ -104,9 +104,8 @@ def launch(port: str, baud: int, folder: Path | None, machine: str = "") -> Futu
             answer.set_exception(error)
             return
         except Exception as error:  # the disk is full or the folder is missing: the window reports it
-            answer.set_exception(
-                LinkError("desk-start", Text("the connection service cannot be started: {error}", error=error), advice="try again")
-            )
+            what = Text("the connection service cannot be started: {error}", error=error)
+            answer.set_exception(LinkError("desk-start", what, advice="try again"))
             return
         answer.set_result((path, process))
         if process:

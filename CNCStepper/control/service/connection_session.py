@@ -76,7 +76,8 @@ class ConnectionSession:
         """Return new events, after `wait_s` if there are none; raises the error that ended the service."""
         events = self._client.poll()
         if self._client.phase == "gone":
-            raise self._client.error or LinkError("desk-gone", "the connection service has ended", advice="connect again")
+            what = "the connection service has ended"
+            raise self._client.error or LinkError("desk-gone", what, advice="connect again")
         if not events:
             time.sleep(wait_s)
         return events
