@@ -164,8 +164,8 @@ def _scroll_to_spot(widget: Any, spot: Any) -> None:
 
 def widgets_around(widget: Any) -> list[Any]:
     """Return a widget and those that contain it, the innermost first, without asking for parents: see `scroll_to`."""
-    holders = [each for each in all_widgets() if each.isAncestorOf(widget)]
-    return [widget, *sorted(holders, key=lambda holder: -sum(each.isAncestorOf(holder) for each in holders))]
+    holders = [each for each in all_widgets() if each.isAncestorOf(widget)]  # which for Qt is its own, too
+    return sorted(holders, key=lambda holder: -sum(each.isAncestorOf(holder) for each in holders))
 
 
 def _chain(widget: Any) -> str:
