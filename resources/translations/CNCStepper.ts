@@ -16243,10 +16243,6 @@ cncstepper override flood          switch flood coolant on, or off; also mist</s
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>{file}: {blocks} blocks that move, {minutes:.1f} min; {told}; {picture}</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>{lines} settings written and read back</source>
             <translation type="unfinished"></translation>
         </message>

@@ -16280,10 +16280,6 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
             <translation>{file}: {blocks} blocos que se movem, {minutes:.1f} min; {report}; {picture}</translation>
         </message>
         <message>
-            <source>{file}: {blocks} blocks that move, {minutes:.1f} min; {told}; {picture}</source>
-            <translation>{file}: {blocks} blocos que se movem, {minutes:.1f} min; {told}; {picture}</translation>
-        </message>
-        <message>
             <source>{lines} settings written and read back</source>
             <translation>{lines} configurações escritas e lidas de volta</translation>
         </message>

@@ -112,26 +112,16 @@ def _turning(path: Path, out: Path) -> bool:
     for proven in prove_turning(job, machine, programs, out):
         proof, file = proven.proof, out / proven.program.file_name
         suffix = file.stem.removeprefix("program")
-        told, picture = out / f"report{suffix}.json", out / f"part{suffix}.png"
-        write_report(told, proof.report)
+        report, picture = out / f"report{suffix}.json", out / f"part{suffix}.png"
+        write_report(report, proof.report)
         certificate_of(proof).write(out / f"certificate{suffix}.zip")
         proven.verdict.draw(picture, path.stem, f"{proof.report['time_s'] / 60:.1f} min")
-        show_findings(proof.findings)
-        show_figures(proof.report)
-        blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
-        show_text(
-            "{file}: {blocks} blocks that move, {minutes:.1f} min; {told}; {picture}",
-            file=file,
-            blocks=blocks,
-            minutes=minutes,
-            told=told,
-            picture=picture,
-        )
+        _show_proof(proof, file, report, picture)
         proofs.append(proven)
     if len(proofs) > 1:
-        report = whole_report(proofs)
-        write_report(out / "report.json", report)
-        proofs[-1].verdict.draw(out / "part.png", path.stem, f"{report['time_s'] / 60:.1f} min")
+        whole = whole_report(proofs)
+        write_report(out / "report.json", whole)
+        proofs[-1].verdict.draw(out / "part.png", path.stem, f"{whole['time_s'] / 60:.1f} min")
         show_text("the finished part: {json}; {png}", json=out / "report.json", png=out / "part.png")
     return any(proven.proof.refused for proven in proofs)
 
@@ -149,6 +139,11 @@ def _conclude(proof: Proof, file: Path, suffix: str, title: str, job: Job, made_
     write_report(report, proof.report)
     certificate_of(proof).sending(made_with=made_with).write(certificate)
     proof.draw(picture, title, ", ".join(job.tools[number].words for number in proof.report["tools"] if number))
+    _show_proof(proof, file, report, picture)
+
+
+def _show_proof(proof: Proof, file: Path, report: Path, picture: Path) -> None:
+    """Print the findings and figures of a program, and where its report and picture are."""
     show_findings(proof.findings)
     show_figures(proof.report)
     blocks, minutes = proof.report["blocks"], proof.report["time_s"] / 60
