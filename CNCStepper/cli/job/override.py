@@ -7,13 +7,12 @@ The words by which a person changes feed, rapid, spindle and coolant of a machin
 from __future__ import annotations
 
 import re
-import time
 
 import click
 
 from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.job.running_job import follow, session_file, session_option
-from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
+from CNCStepper.cli.job.status_text import overrides_in_words, overrides_told
 from CNCStepper.errors import Text
 
 TENS_AND_ONES = {"+10": "10", "-10": "-10", "+1": "1", "-1": "-1", "100": "reset"}
@@ -68,15 +67,9 @@ def command(what: tuple[str, ...], session: str | None) -> None:
 
     values = _values(" ".join(what))
     with attach(session_file(session)) as client:
-        status = client.status()
-        before, end_s = overrides_in_words(status), time.monotonic() + OVERRIDES_TOLD_S
+        known = follow(client, client.status(), overrides_told(""), "override")
         client.ask("override", **values)
-        shown = follow(
-            client,
-            status,
-            lambda now: overrides_in_words(now) != before or time.monotonic() > end_s,
-            "override",
-        )
+        shown = follow(client, known, overrides_told(overrides_in_words(known)), "override")
     show_text(overrides_in_words(shown) or Text("the controller does not tell its overrides"))
 
 

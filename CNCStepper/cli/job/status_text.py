@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from datetime import timedelta
 
 from CNCStepper.control.protocol.grbl.status_reports import Vector
@@ -11,7 +12,7 @@ from CNCStepper.control.session.status import SenderStatus
 
 AXES = "XYZABC"
 GAP = "  "
-OVERRIDES_TOLD_S = 1.0  # within which a controller reports those that have changed
+OVERRIDES_TOLD_S = 3.0  # within which grbl reports them: with every 10th status at rest, every 20th in motion
 
 
 def live(status: SenderStatus, width: int) -> str:
@@ -34,6 +35,16 @@ def overrides_in_words(status: SenderStatus) -> str:
     if not status.overrides:
         return ""
     return "/".join(map(str, status.overrides)) + " %" + (f" {status.outputs}" if status.outputs else "")
+
+
+def overrides_told(before: str) -> Callable[[SenderStatus], bool]:
+    """Return the test that a status tells other overrides than those of before; from OVERRIDES_TOLD_S on it is passed.
+
+    before: their words; "" waits until they are known at all. Ask for a change after that: the first report would
+    else be taken for it.
+    """
+    end_s = time.monotonic() + OVERRIDES_TOLD_S
+    return lambda status: overrides_in_words(status) != before or time.monotonic() > end_s
 
 
 def _parts(status: SenderStatus) -> Iterator[str]:

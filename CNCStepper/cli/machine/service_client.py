@@ -20,7 +20,7 @@ import click
 from CNCStepper.cli.common.keep_open import keep_option, tell_kept
 from CNCStepper.cli.common.language import show_text, translated
 from CNCStepper.cli.common.options import Named
-from CNCStepper.cli.job.status_text import OVERRIDES_TOLD_S, overrides_in_words
+from CNCStepper.cli.job.status_text import overrides_in_words, overrides_told
 from CNCStepper.errors import CNCStepperError, MachineRefusal, Text
 from CNCStepper.machine.controller_family import BAUD
 
@@ -160,10 +160,14 @@ class ServiceClient:
 
     def override(self, values: dict[str, str]) -> None:
         """Ask for an override, and wait until the controller reports it."""
-        before, end_s = overrides_in_words(self.status), time.monotonic() + OVERRIDES_TOLD_S
+        self._await(overrides_told(""))
+        known = overrides_in_words(self.status)
         self.client.ask("override", **values)
-        while overrides_in_words(self.ask_status()) == before and time.monotonic() < end_s:
-            pass
+        self._await(overrides_told(known))
+
+    def _await(self, reached: Callable[[SenderStatus], bool]) -> None:
+        while not reached(self.status):
+            self.ask_status()
 
     def type(self, text: str) -> str:
         """Send a typed line, print the controller's messages, and return its answer."""

@@ -105,6 +105,28 @@ def test_console_shows_a_machine_that_does_not_change_as_often_as_it_is_asked(ca
     assert capsys.readouterr().out == "Alarm\n" * 3
 
 
+class GrblDesk(QuietDesk):
+    """A desk whose machine tells its overrides with the third status, and a change with the next but one."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.told = [None, None, (100, 100, 100)]
+
+    def ask(self, command: str, **values: str) -> None:
+        super().ask(command)
+        if command == "override":
+            self.told += [self.told[-1] or (100, 100, 100), (110, 100, 100)]
+        else:
+            self.status = SenderStatus("idle", overrides=self.told.pop(0) if len(self.told) > 1 else self.told[0])
+
+
+def test_override_is_shown_where_those_of_before_were_not_told_yet(capsys):
+    talk = ServiceClient.__new__(ServiceClient)
+    talk.client = GrblDesk()
+    Session(talk).do("feed +10")
+    assert capsys.readouterr().out == "110/100/100 %\n"
+
+
 @pytest.mark.parametrize("line", ["feed 5", "spindle", "rapid +10"])
 def test_override_that_there_is_not_is_refused(line):
     talk = FakeTalk()
