@@ -429,7 +429,7 @@
         </message>
         <message>
             <source>Closed lines around the area to face; without them the whole stock</source>
-            <translation>Linhas fechadas em volta do que é faceado; sem elas, o bloco inteiro</translation>
+            <translation>Linhas fechadas em volta do que é faceado; sem elas, o bruto inteiro</translation>
         </message>
         <message>
             <source>Columns</source>
@@ -1265,7 +1265,7 @@
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
-            <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
+            <translation>A que distância da borda do bruto os cortes devem ficar; 0: a borda não importa</translation>
         </message>
         <message>
             <source>How far letters lean to the right</source>
@@ -2861,19 +2861,19 @@
         </message>
         <message>
             <source>Stock</source>
-            <translation>Bloco</translation>
+            <translation>Bruto</translation>
         </message>
         <message>
             <source>Stock Form</source>
-            <translation>Forma do bloco</translation>
+            <translation>Forma do bruto</translation>
         </message>
         <message>
             <source>Stock Origin</source>
-            <translation>Origem no bloco</translation>
+            <translation>Origem no bruto</translation>
         </message>
         <message>
             <source>Stock Size</source>
-            <translation>Tamanho do bloco</translation>
+            <translation>Tamanho do bruto</translation>
         </message>
         <message>
             <source>Stock To Leave</source>
@@ -2985,7 +2985,7 @@
         </message>
         <message>
             <source>The depth below the top of the stock</source>
-            <translation>A profundidade abaixo do topo do bloco</translation>
+            <translation>A profundidade abaixo do topo do bruto</translation>
         </message>
         <message>
             <source>The depth of the first pass</source>
@@ -3133,7 +3133,7 @@
         </message>
         <message>
             <source>The job with the machine, stock, tools and clamps for the program</source>
-            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
+            <translation>O trabalho para cuja máquina, bruto, ferramentas e grampos o programa é feito</translation>
         </message>
         <message>
             <source>The kerf for which neighbours on a nested sheet share cuts; 0: none do</source>
@@ -3233,7 +3233,7 @@
         </message>
         <message>
             <source>The place of the work zero on the stock</source>
-            <translation>Onde fica o zero-peça no bloco</translation>
+            <translation>Onde fica o zero-peça no bruto</translation>
         </message>
         <message>
             <source>The places of the holes</source>
@@ -3809,7 +3809,7 @@
         </message>
         <message>
             <source>the whole stock</source>
-            <translation>o bloco todo</translation>
+            <translation>o bruto todo</translation>
         </message>
     </context>
     <context>
@@ -3960,7 +3960,7 @@
         </message>
         <message>
             <source>A file is checked with a job's machine, stock, tools and clamps; no operation is needed.</source>
-            <translation>Um arquivo é verificado com a máquina, o bloco, as ferramentas e os grampos de um trabalho; nenhuma operação é necessária.</translation>
+            <translation>Um arquivo é verificado com a máquina, o bruto, as ferramentas e os grampos de um trabalho; nenhuma operação é necessária.</translation>
         </message>
         <message>
             <source>A flange of two bolts along X: a disc about the zero with an ear on each side.</source>
@@ -4168,7 +4168,7 @@
         </message>
         <message>
             <source>A template gives machine, material, stock and tools; what you have typed stays</source>
-            <translation>Um modelo dá a máquina, o material, o bloco e as ferramentas; o que você digitou permanece</translation>
+            <translation>Um modelo dá a máquina, o material, o bruto e as ferramentas; o que você digitou permanece</translation>
         </message>
         <message>
             <source>A tool of this shape has none</source>
@@ -4824,7 +4824,7 @@
         </message>
         <message>
             <source>Check a G-code file with the job's machine, stock, tools and clamps, and send it.</source>
-            <translation>Verificar um arquivo de G-code com a máquina, o bloco, as ferramentas e os grampos do trabalho, e enviá-lo.</translation>
+            <translation>Verificar um arquivo de G-code com a máquina, o bruto, as ferramentas e os grampos do trabalho, e enviá-lo.</translation>
         </message>
         <message>
             <source>Check and send</source>
@@ -4932,7 +4932,7 @@
         </message>
         <message>
             <source>Closed lines around the area to face; without them the whole stock</source>
-            <translation>Linhas fechadas em volta do que é faceado; sem elas, o bloco inteiro</translation>
+            <translation>Linhas fechadas em volta do que é faceado; sem elas, o bruto inteiro</translation>
         </message>
         <message>
             <source>Colour</source>
@@ -6476,7 +6476,7 @@
         </message>
         <message>
             <source>Height above the top of the stock; lines: where the tool's tip goes</source>
-            <translation>Altura acima do topo do bloco; linhas: por onde passa a ponta da ferramenta</translation>
+            <translation>Altura acima do topo do bruto; linhas: por onde passa a ponta da ferramenta</translation>
         </message>
         <message>
             <source>Height below the notch</source>
@@ -6692,7 +6692,7 @@
         </message>
         <message>
             <source>How far from the stock's edge cuts must stay; 0: the edge does not matter</source>
-            <translation>A que distância da borda do bloco os cortes devem ficar; 0: a borda não importa</translation>
+            <translation>A que distância da borda do bruto os cortes devem ficar; 0: a borda não importa</translation>
         </message>
         <message>
             <source>How far letters lean to the right</source>
@@ -7004,7 +7004,7 @@
         </message>
         <message>
             <source>In mm from the top of the stock</source>
-            <translation>Em mm a partir do topo do material bruto</translation>
+            <translation>Em mm a partir do topo do bruto</translation>
         </message>
         <message>
             <source>In the controller's panel choose a machine whose pulses this computer makes.</source>
@@ -7092,7 +7092,7 @@
         </message>
         <message>
             <source>Is the work zero set on the stock, and is the path free?</source>
-            <translation>O zero-peça está definido no bloco e o caminho está livre?</translation>
+            <translation>O zero-peça está definido no bruto e o caminho está livre?</translation>
         </message>
         <message>
             <source>Isometric</source>
@@ -7632,7 +7632,7 @@
         </message>
         <message>
             <source>Make a job: it holds the machine, the size of the stock and the tools. OK takes what is proposed.</source>
-            <translation>Faça um trabalho: ele guarda a máquina, o tamanho do bloco e as ferramentas. OK aceita o que é proposto.</translation>
+            <translation>Faça um trabalho: ele guarda a máquina, o tamanho do bruto e as ferramentas. OK aceita o que é proposto.</translation>
         </message>
         <message>
             <source>Make shorter…</source>
@@ -8160,11 +8160,11 @@
         </message>
         <message>
             <source>Of the stock around the drawing, in mm</source>
-            <translation>Do material bruto em volta do desenho, em mm</translation>
+            <translation>Do bruto em volta do desenho, em mm</translation>
         </message>
         <message>
             <source>Of the stock, in mm</source>
-            <translation>Do material bruto, em mm</translation>
+            <translation>Do bruto, em mm</translation>
         </message>
         <message>
             <source>Of the three diameters, in mm</source>
@@ -8808,7 +8808,7 @@
         </message>
         <message>
             <source>Put the stock around the selection, or around the drawings of the operations</source>
-            <translation>Põe o bloco em torno do que está selecionado, ou dos desenhos das operações</translation>
+            <translation>Põe o bruto em torno do que está selecionado, ou dos desenhos das operações</translation>
         </message>
         <message>
             <source>Quarter turns</source>
@@ -9796,7 +9796,7 @@ altura</translation>
         </message>
         <message>
             <source>Stock</source>
-            <translation>Bloco</translation>
+            <translation>Bruto</translation>
         </message>
         <message>
             <source>Stock to leave</source>
@@ -10080,7 +10080,7 @@ altura</translation>
         </message>
         <message>
             <source>The depth below the top of the stock</source>
-            <translation>A profundidade abaixo do topo do bloco</translation>
+            <translation>A profundidade abaixo do topo do bruto</translation>
         </message>
         <message>
             <source>The depth of the first pass</source>
@@ -10260,7 +10260,7 @@ altura</translation>
         </message>
         <message>
             <source>The job with the machine, stock, tools and clamps for the program</source>
-            <translation>O trabalho para cuja máquina, bloco, ferramentas e grampos o programa é feito</translation>
+            <translation>O trabalho para cuja máquina, bruto, ferramentas e grampos o programa é feito</translation>
         </message>
         <message>
             <source>The journal</source>
@@ -10464,7 +10464,7 @@ altura</translation>
         </message>
         <message>
             <source>The place of the work zero on the stock</source>
-            <translation>Onde fica o zero-peça no bloco</translation>
+            <translation>Onde fica o zero-peça no bruto</translation>
         </message>
         <message>
             <source>The place on the cut is being looked for…</source>
@@ -12896,7 +12896,7 @@ altura</translation>
         </message>
         <message>
             <source>the whole stock</source>
-            <translation>o bloco todo</translation>
+            <translation>o bruto todo</translation>
         </message>
         <message>
             <source>there is no 3D view to draw in</source>
@@ -16700,7 +16700,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>'{origin}' is no origin of a stock</source>
-            <translation>'{origin}' não é uma origem de bloco</translation>
+            <translation>'{origin}' não é uma origem de bruto</translation>
         </message>
         <message>
             <source>'{out}' is drawn where '{kept}' is, and counts once</source>
@@ -17212,7 +17212,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>FreeCAD has no stock of a height field</source>
-            <translation>O FreeCAD não tem material bruto como campo de alturas</translation>
+            <translation>O FreeCAD não tem bruto como campo de alturas</translation>
         </message>
         <message>
             <source>FreeCAD has no tool bit for a {tool_shape}</source>
@@ -17972,7 +17972,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>a cutting move begins at an unknown position, so it is not checked against the stock</source>
-            <translation>um movimento de corte começa em posição desconhecida, por isso não é verificado contra o bloco</translation>
+            <translation>um movimento de corte começa em posição desconhecida, por isso não é verificado contra o bruto</translation>
         </message>
         <message>
             <source>a cutting move has no feed</source>
@@ -18528,7 +18528,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>a rapid crosses the stock with the beam on</source>
-            <translation>um deslocamento rápido atravessa o bloco com o feixe ligado</translation>
+            <translation>um deslocamento rápido atravessa o bruto com o feixe ligado</translation>
         </message>
         <message>
             <source>a rapid goes sideways while the height is not known</source>
@@ -19752,7 +19752,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>check the depth, or lay a spoil board under the stock</source>
-            <translation>verifique a profundidade, ou ponha uma chapa de sacrifício sob o bloco</translation>
+            <translation>verifique a profundidade, ou ponha uma chapa de sacrifício sob o bruto</translation>
         </message>
         <message>
             <source>check the probe's wiring and plate, then unlock with $X</source>
@@ -21280,7 +21280,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>give heights over the bottom, and the largest as the stock's Z</source>
-            <translation>dê alturas acima do fundo, e a maior como Z do bloco</translation>
+            <translation>dê alturas acima do fundo, e a maior como Z do bruto</translation>
         </message>
         <message>
             <source>give it a height above 0</source>
@@ -21380,7 +21380,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>give the stock and the tools</source>
-            <translation>informe o bloco e as ferramentas</translation>
+            <translation>informe o bruto e as ferramentas</translation>
         </message>
         <message>
             <source>give the text to be replaced</source>
@@ -21552,7 +21552,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>heights belong to a stock of the form 'height_field', and to no other</source>
-            <translation>alturas pertencem a um bloco da forma 'height_field', e a nenhum outro</translation>
+            <translation>alturas pertencem a um bruto da forma 'height_field', e a nenhum outro</translation>
         </message>
         <message>
             <source>heights differ by {rise:.4g} mm</source>
@@ -23100,7 +23100,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>move the shape or the work zero, or take larger stock</source>
-            <translation>mova a forma ou o zero-peça, ou use um bloco maior</translation>
+            <translation>mova a forma ou o zero-peça, ou use um bruto maior</translation>
         </message>
         <message>
             <source>move the slider to start it again</source>
@@ -23220,7 +23220,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>name X and Y in a rapid above the stock first</source>
-            <translation>indique antes X e Y em um rápido acima do bloco</translation>
+            <translation>indique antes X e Y em um rápido acima do bruto</translation>
         </message>
         <message>
             <source>name a file that ends in .ttf, .otf, .ttc or .otc; unpack a web font first</source>
@@ -24164,7 +24164,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>part of the drawn shape is beside the stock</source>
-            <translation>parte da forma desenhada fica fora do bloco</translation>
+            <translation>parte da forma desenhada fica fora do bruto</translation>
         </message>
         <message>
             <source>part {number}</source>
@@ -25044,7 +25044,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>set the zero on the stock, then confirm it (--zero-confirmed)</source>
-            <translation>defina o zero no bloco e confirme-o (--zero-confirmed)</translation>
+            <translation>defina o zero no bruto e confirme-o (--zero-confirmed)</translation>
         </message>
         <message>
             <source>set the zero there, or check the program again with the zero that is set (--work-zero)</source>
@@ -26012,7 +26012,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>the contour goes through the stock and sets a piece free that no tab holds</source>
-            <translation>o contorno atravessa o bloco e solta um pedaço que nenhuma ponte segura</translation>
+            <translation>o contorno atravessa o bruto e solta um pedaço que nenhuma ponte segura</translation>
         </message>
         <message>
             <source>the controller accepts no jog while it is held</source>
@@ -26324,7 +26324,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>the depth goes below the stock</source>
-            <translation>a profundidade passa abaixo do bloco</translation>
+            <translation>a profundidade passa abaixo do bruto</translation>
         </message>
         <message>
             <source>the depth of cut is above the tool's</source>
@@ -26472,7 +26472,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>the drawings lie at heights from Z{least_heights:.4g} to Z{most_heights:.4g} mm; all depths count from the top of the stock</source>
-            <translation>os desenhos estão em alturas de Z{least_heights:.4g} a Z{most_heights:.4g} mm; todas as profundidades contam a partir do topo do bloco</translation>
+            <translation>os desenhos estão em alturas de Z{least_heights:.4g} a Z{most_heights:.4g} mm; todas as profundidades contam a partir do topo do bruto</translation>
         </message>
         <message>
             <source>the drill does not reach so deep</source>
@@ -27564,7 +27564,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>the outlines are beside the stock</source>
-            <translation>os contornos ficam ao lado do bloco</translation>
+            <translation>os contornos ficam ao lado do bruto</translation>
         </message>
         <message>
             <source>the outlines enclose nothing</source>
@@ -28024,7 +28024,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>the program was proven with another stock</source>
-            <translation>o programa foi verificado com outro bloco</translation>
+            <translation>o programa foi verificado com outro bruto</translation>
         </message>
         <message>
             <source>the program was proven with other clamps, or another distance from the sheet's edge</source>
@@ -28480,7 +28480,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>the stock needs three lengths above zero</source>
-            <translation>o bloco precisa de três comprimentos acima de zero</translation>
+            <translation>o bruto precisa de três comprimentos acima de zero</translation>
         </message>
         <message>
             <source>the stored line is too long</source>
@@ -28632,7 +28632,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>the tool goes below the stock and cuts the table under it</source>
-            <translation>a ferramenta passa abaixo do bloco e corta o que está embaixo</translation>
+            <translation>a ferramenta passa abaixo do bruto e corta o que está embaixo</translation>
         </message>
         <message>
             <source>the tool goes up or down while it cuts: backwards it would enter at the full depth</source>
@@ -28644,7 +28644,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>the tool is below the stock's top while its place in X or Y is not known</source>
-            <translation>a ferramenta está abaixo do topo do bloco sem que o seu lugar em X ou Y seja conhecido</translation>
+            <translation>a ferramenta está abaixo do topo do bruto sem que o seu lugar em X ou Y seja conhecido</translation>
         </message>
         <message>
             <source>the tool is changed by hand: write one program a tool</source>
@@ -29048,7 +29048,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>there is no outline and no stock to face</source>
-            <translation>não há contorno nem bloco a facear</translation>
+            <translation>não há contorno nem bruto a facear</translation>
         </message>
         <message>
             <source>there is no override {kind} {step}</source>
@@ -32418,7 +32418,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>Makes the top flat: of the stock, or of what is selected</source>
-            <translation>Aplaina o topo: do bloco ou do que está selecionado</translation>
+            <translation>Aplaina o topo: do bruto ou do que está selecionado</translation>
         </message>
     </context>
     <context>
@@ -32557,7 +32557,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         <name>CNCStepper_NewJob</name>
         <message>
             <source>Makes a job. A selected solid or drawing gives its stock</source>
-            <translation>Cria um trabalho. Um sólido ou desenho selecionado define o bloco</translation>
+            <translation>Cria um trabalho. Um sólido ou desenho selecionado define o bruto</translation>
         </message>
         <message>
             <source>New job</source>
@@ -32649,7 +32649,7 @@ cncstepper override flood          liga o jato de refrigeração, ou o desliga; 
         </message>
         <message>
             <source>Saves machine, material, stock, work zero and tools of the job under a name; a new job can begin with them</source>
-            <translation>Salva a máquina, o material, o bloco, o zero-peça e as ferramentas do trabalho sob um nome; um novo trabalho pode começar com eles</translation>
+            <translation>Salva a máquina, o material, o bruto, o zero-peça e as ferramentas do trabalho sob um nome; um novo trabalho pode começar com eles</translation>
         </message>
     </context>
     <context>

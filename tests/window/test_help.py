@@ -80,7 +80,7 @@ def pocket_panel(hand: Hand) -> None:
     ("language", "title", "depth", "explained"),
     [
         ("English", "Elliptical pocket", "Depth", "The depth below the top of the stock"),
-        (PORTUGUESE, "Bolsão elíptico", "Profundidade", "A profundidade abaixo do topo do bloco"),
+        (PORTUGUESE, "Bolsão elíptico", "Profundidade", "A profundidade abaixo do topo do bruto"),
     ],
 )
 def test_f1_at_a_field_opens_its_page_at_the_field(

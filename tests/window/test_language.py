@@ -109,7 +109,7 @@ def test_the_panel_of_a_new_job_and_of_a_pocket_are_portuguese(hand: Hand) -> No
     hand.shot("language-job")
     assert hand.main(cut_off) == []
     assert not texts & ENGLISH
-    assert {"Bloco", "Máquina"} <= texts
+    assert {"Bruto", "Máquina"} <= texts
     cancel = QtGui.QDialogButtonBox.StandardButton.Cancel
     hand.click(hand.main(lambda: FreeCADGui.getMainWindow().findChild(QtGui.QDialogButtonBox).button(cancel)))
     hand.wait(lambda: not FreeCADGui.Control.activeDialog())
