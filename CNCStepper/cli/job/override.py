@@ -12,7 +12,7 @@ import click
 
 from CNCStepper.cli.common.language import show_text
 from CNCStepper.cli.job.running_job import follow, session_file, session_option
-from CNCStepper.cli.job.status_text import overrides_in_words, overrides_told
+from CNCStepper.cli.job.status_text import overrides_changed, overrides_in_words, overrides_known
 from CNCStepper.errors import Text
 
 TENS_AND_ONES = {"+10": "10", "-10": "-10", "+1": "1", "-1": "-1", "100": "reset"}
@@ -67,9 +67,9 @@ def command(what: tuple[str, ...], session: str | None) -> None:
 
     values = _values(" ".join(what))
     with attach(session_file(session)) as client:
-        known = follow(client, client.status(), overrides_told(""), "override")
+        known = follow(client, client.status(), overrides_known(), "override")
         client.ask("override", **values)
-        shown = follow(client, known, overrides_told(overrides_in_words(known)), "override")
+        shown = follow(client, known, overrides_changed(known), "override")
     show_text(overrides_in_words(shown) or Text("the controller does not tell its overrides"))
 
 

@@ -12,7 +12,8 @@ from CNCStepper.control.session.status import SenderStatus
 
 AXES = "XYZABC"
 GAP = "  "
-OVERRIDES_TOLD_S = 3.0  # within which grbl reports them: with every 10th status at rest, every 20th in motion
+OVERRIDES_KNOWN_S = 3.0  # within which grbl reports them: with every 10th status at rest, every 20th in motion
+OVERRIDES_CHANGED_S = 1.0  # within which it reports those that have changed
 
 
 def live(status: SenderStatus, width: int) -> str:
@@ -37,14 +38,19 @@ def overrides_in_words(status: SenderStatus) -> str:
     return "/".join(map(str, status.overrides)) + " %" + (f" {status.outputs}" if status.outputs else "")
 
 
-def overrides_told(before: str) -> Callable[[SenderStatus], bool]:
-    """Return the test that a status tells other overrides than those of before; from OVERRIDES_TOLD_S on it is passed.
+def overrides_known() -> Callable[[SenderStatus], bool]:
+    """Return the test that a status tells the overrides at all, passed after OVERRIDES_KNOWN_S too.
 
-    before: their words; "" waits until they are known at all. Ask for a change after that: the first report would
-    else be taken for it.
+    Wait for it before one is changed: the first report would else be taken for the change.
     """
-    end_s = time.monotonic() + OVERRIDES_TOLD_S
-    return lambda status: overrides_in_words(status) != before or time.monotonic() > end_s
+    end_s = time.monotonic() + OVERRIDES_KNOWN_S
+    return lambda status: bool(status.overrides) or time.monotonic() > end_s
+
+
+def overrides_changed(before: SenderStatus) -> Callable[[SenderStatus], bool]:
+    """Return the test that a status tells other overrides than `before`, passed after OVERRIDES_CHANGED_S too."""
+    end_s = time.monotonic() + OVERRIDES_CHANGED_S
+    return lambda status: overrides_in_words(status) != overrides_in_words(before) or time.monotonic() > end_s
 
 
 def _parts(status: SenderStatus) -> Iterator[str]:

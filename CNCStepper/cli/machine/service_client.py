@@ -20,7 +20,7 @@ import click
 from CNCStepper.cli.common.keep_open import keep_option, tell_kept
 from CNCStepper.cli.common.language import show_text, translated
 from CNCStepper.cli.common.options import Named
-from CNCStepper.cli.job.status_text import overrides_in_words, overrides_told
+from CNCStepper.cli.job.status_text import overrides_changed, overrides_known
 from CNCStepper.errors import CNCStepperError, MachineRefusal, Text
 from CNCStepper.machine.controller_family import BAUD
 
@@ -160,10 +160,10 @@ class ServiceClient:
 
     def override(self, values: dict[str, str]) -> None:
         """Ask for an override, and wait until the controller reports it."""
-        self._await(overrides_told(""))
-        known = overrides_in_words(self.status)
+        self._await(overrides_known())
+        known = self.status
         self.client.ask("override", **values)
-        self._await(overrides_told(known))
+        self._await(overrides_changed(known))
 
     def _await(self, reached: Callable[[SenderStatus], bool]) -> None:
         while not reached(self.status):
