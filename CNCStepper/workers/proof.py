@@ -87,7 +87,7 @@ def _answer_turned(folder: Path, name: str) -> None:
     program, machine = read_program(folder)
     proven = prove_question(folder, program, machine, name, read_start(folder))
     _tell("report")
-    write_turned_answer(folder, proven.proof, proven.verdict, proven.on_part, certificate_of(proven.proof))
+    write_turned_answer(folder, proven, certificate_of(proven.proof))
 
 
 def _answer_job(folder: Path, name: str) -> None:

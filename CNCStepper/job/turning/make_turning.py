@@ -82,20 +82,27 @@ def placement_of(job: TurningJob, machine: Machine) -> Placement:
 def in_part(toolpath: Toolpath, placement: Placement) -> Toolpath:
     """Return a program's moves in the part's coordinates: X the radius, Z of a right-handed lathe."""
 
-    def moved(points: np.ndarray) -> np.ndarray:
-        z, r = placement.part(points).T
-        return np.column_stack([r, points[:, 1], z, points[:, 3:]])
-
     kinds = np.arange(256, dtype=np.uint8)
     if placement.mirrors:
         kinds[[ARC_CW, ARC_CCW]] = [ARC_CCW, ARC_CW]
     chunks = [
-        replace(chunk, kind=kinds[chunk.kind], end=moved(chunk.end), centre=moved(chunk.centre))
+        replace(
+            chunk,
+            kind=kinds[chunk.kind],
+            end=points_in_part(chunk.end, placement),
+            centre=points_in_part(chunk.centre, placement),
+        )
         for chunk in toolpath.chunks
     ]
-    begin = moved(np.array([toolpath.start.position_mm], float))[0]
+    begin = points_in_part(np.array([toolpath.start.position_mm], float), placement)[0]
     start = replace(toolpath.start, position_mm=tuple(begin.tolist()))
     return Toolpath(start, chunks, toolpath.states, toolpath.events, toolpath.spans)
+
+
+def points_in_part(points_mm: np.ndarray, placement: Placement) -> np.ndarray:
+    """Return points of a program, float64[n, 3 or more], in the part's coordinates as `in_part` has them."""
+    z, r = placement.part(points_mm).T
+    return np.column_stack([r, points_mm[:, 1], z, points_mm[:, 3:]])
 
 
 def turned_moves(job: TurningJob, machine: Machine) -> tuple[Toolpath, list[TurningAnswer]]:

@@ -4,6 +4,7 @@
     turning.json     the request: {"job": job, "part": 2, "title": text}, part: which of its programs, from 1;
                      or of a G-code file {"bar": bar, "tools": [tool, …]}
     section.npz      the answer: the part as cut in half section, rings of z and radius
+    placement.json   where the program's zero lies on the part, and the sign of its Z
 
 The other files are those of `job/proof_folder.py`; moves and lines lie on the part: X is the radius, Z its own.
 """
@@ -18,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from CNCStepper.cycles.turning.turned_coordinates import Placement
 from CNCStepper.job.proof_folder import ProgramAnswer, read_program_answer, write_program, write_program_answer
 
 if TYPE_CHECKING:
@@ -31,24 +33,32 @@ if TYPE_CHECKING:
     from CNCStepper.state import Start
     from CNCStepper.toolpath import Toolpath
 
-QUESTION, SECTION = "turning.json", "section.npz"
+QUESTION, SECTION, PLACEMENT = "turning.json", "section.npz", "placement.json"
 
 
 @dataclass(frozen=True)
 class TurnedAnswer(ProgramAnswer):
-    """What the proof of a lathe's program answered; rings: of the part as cut, each float64[n, 2] of z and radius."""
+    """What the proof of a lathe's program answered.
+
+    rings: of the part as cut, each float64[n, 2] of z and radius. placement: of the program on the part.
+    """
 
     rings: tuple[np.ndarray, ...]
+    placement: Placement
 
 
 @dataclass(frozen=True)
 class TurnedQuestion:
-    """The proof of a request. on_part: the moves on the part; first_row: their first one in the verdict's moves."""
+    """The proof of a request.
+
+    on_part: the moves on the part. first_row: their first one in the verdict's moves. placement: which puts them there.
+    """
 
     proof: Proof
     verdict: TurnedVerdict
     on_part: Toolpath
     first_row: int
+    placement: Placement
 
 
 def write_job_question(folder: Path, program: str, job: TurningJob, machine: Machine, part: int, title: str) -> None:
@@ -74,6 +84,8 @@ def is_turned(folder: Path) -> bool:
 
 def prove_question(folder: Path, program: str, machine: Machine, name: str, start: Start | None) -> TurnedQuestion:
     """Return the proof of the program of a request; raises what the core raises."""
+    from CNCStepper.gcode.dialects import dialect
+    from CNCStepper.job.turning.make_turning import in_part
     from CNCStepper.job.turning.prove_program import TurnedBar, prove_turned
     from CNCStepper.machine.profile import validated
     from CNCStepper.machine.tools.turning_tool import TurningTool
@@ -84,12 +96,13 @@ def prove_question(folder: Path, program: str, machine: Machine, name: str, star
     tools = [validated(TurningTool, raw, name) for raw in content["tools"]]
     by_number = {tool.number: tool for tool in tools}
     proof, verdict = prove_turned(program, machine, TurnedBar(**content["bar"]), by_number, file=name, start=start)
-    return TurnedQuestion(proof, verdict, proof.toolpath, 0)
+    placement = Placement(z_sign=dialect(machine.language()).z_sign)
+    return TurnedQuestion(proof, verdict, in_part(proof.toolpath, placement), 0, placement)
 
 
 def _of_job(content: dict[str, Any], program: str, machine: Machine, name: str, start: Start | None) -> TurnedQuestion:
     """Return the same of a program of a job: behind those that come before it, and in place of its own text."""
-    from CNCStepper.job.turning.make_turning import make_turning
+    from CNCStepper.job.turning.make_turning import make_turning, placement_of
     from CNCStepper.job.turning.prove_turning import prove_turning
     from CNCStepper.job.turning.turning_job import turning_job_of
 
@@ -97,21 +110,20 @@ def _of_job(content: dict[str, Any], program: str, machine: Machine, name: str, 
     made = make_turning(job, machine, content["title"])[:number]
     programs = [*made[:-1], replace(made[-1], program=program)]
     *_, proven = prove_turning(job, machine, programs, Path(), name, start)
-    return TurnedQuestion(proven.proof, proven.verdict, proven.path, proven.first_row)
+    placement = placement_of(job, machine)
+    return TurnedQuestion(proven.proof, proven.verdict, proven.path, proven.first_row, placement)
 
 
-def write_turned_answer(
-    folder: Path, proof: Proof, verdict: TurnedVerdict, on_part: Toolpath, certificate: Certificate
-) -> None:
-    """Write the answer; on_part: the program's moves on the part."""
+def write_turned_answer(folder: Path, proven: TurnedQuestion, certificate: Certificate) -> None:
+    """Write the answer to a request."""
     import shapely
 
-    rings = [
-        np.asarray(ring.coords)[:, :2] for ring in shapely.get_rings(shapely.get_parts(verdict.part.section.region))
-    ]
+    region = proven.verdict.part.section.region
+    rings = [np.asarray(ring.coords)[:, :2] for ring in shapely.get_rings(shapely.get_parts(region))]
     named: dict[str, Any] = {f"{number}": ring for number, ring in enumerate(rings)}
     np.savez(folder / SECTION, **named)
-    write_program_answer(folder, on_part, proof, certificate)
+    (folder / PLACEMENT).write_text(json.dumps(asdict(proven.placement)), encoding="utf-8")
+    write_program_answer(folder, proven.on_part, proven.proof, certificate)
 
 
 def read_turned_answer(folder: Path) -> TurnedAnswer:
@@ -119,4 +131,5 @@ def read_turned_answer(folder: Path) -> TurnedAnswer:
     common = read_program_answer(folder)
     with np.load(folder / SECTION, allow_pickle=False) as arrays:
         rings = tuple(arrays[name] for name in sorted(arrays, key=int))
-    return TurnedAnswer(**common.shared(), rings=rings)
+    placement = Placement(**json.loads((folder / PLACEMENT).read_text("utf-8")))
+    return TurnedAnswer(**common.shared(), rings=rings, placement=placement)

@@ -39,6 +39,7 @@ from CNCStepper.workbench.services.translation import later, tr
 if TYPE_CHECKING:
     import numpy as np
 
+    from CNCStepper.cycles.turning.turned_coordinates import Placement
     from CNCStepper.job.proof_folder import Part, ProgramAnswer
     from CNCStepper.recovery.restart.restart_proof_folder import RestartPlace
     from CNCStepper.simulation.finding import Finding
@@ -105,9 +106,13 @@ class ProofResult(ProvenProgram):
 
 @dataclass(frozen=True)
 class TurnedResult(ProvenProgram):
-    """The proof of a lathe's program; rings: of the part in half section, each float64[n, 2] of z and radius."""
+    """The proof of a lathe's program, its moves on the part: X is the radius, Z the part's own.
+
+    rings: of the part in half section, each float64[n, 2] of z and radius. placement: of the program on the part.
+    """
 
     rings: tuple[np.ndarray, ...]
+    placement: Placement
 
 
 class ProofRun(QtCore.QObject):
@@ -275,7 +280,8 @@ class ProofRun(QtCore.QObject):
         path = Path(folder.name)
         if is_turned(path):
             turned = read_turned_answer(path)
-            return TurnedResult(**self._shared(turned, folder, None), rings=turned.rings)
+            shared = self._shared(turned, folder, None)
+            return TurnedResult(**shared, rings=turned.rings, placement=turned.placement)
         answer = read_answer(path)
         shared = self._shared(answer, folder, read_restart(path))
         return ProofResult(**shared, part=answer.part, fallen=answer.fallen, tools=answer.tools)
