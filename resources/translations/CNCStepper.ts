@@ -10073,10 +10073,6 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
-            <source>The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment.</source>
-            <translation type="unfinished"></translation>
-        </message>
-        <message>
             <source>The depth below the top of the stock</source>
             <translation type="unfinished"></translation>
         </message>

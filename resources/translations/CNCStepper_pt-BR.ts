@@ -10075,10 +10075,6 @@ altura</translation>
             <translation>O corte é simulado e verificado.</translation>
         </message>
         <message>
-            <source>The cut of a lathe is not shown while it runs: Check and simulate shows it at any moment.</source>
-            <translation>O corte de um torno não é mostrado enquanto corre: Verificar e simular o mostra em qualquer momento.</translation>
-        </message>
-        <message>
             <source>The depth below the top of the stock</source>
             <translation>A profundidade abaixo do topo do bruto</translation>
         </message>

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The mini-lathe's acceptance parts from the window: checked and simulated, sent from the dock, made step by step."""
+"""The mini-lathe's acceptance parts from the window: checked and simulated, sent from the dock, made step by step.
+
+What is cut is shown in the 3D view meanwhile: the material as it goes, and the tool where the lathe reports it.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,8 @@ import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
-from test_dock import D, own_sessions, says  # noqa: F401
+import shapely
+from test_dock import LONGEST_MS, D, own_sessions, says  # noqa: F401
 
 from CNCStepper.gcode.interpreter.interpret import interpret
 from CNCStepper.machine.profile import load_machine
@@ -26,6 +30,10 @@ INDEX = Path(__file__).parents[2] / "examples" / "machines" / "mini-lathe-index.
 RPM, STEPS_PER_MM = 1000.0, 80.0
 # What sends is the same process under each FreeCAD: all five parts are cut beside the oldest alone.
 START = {"start_by": "given", "start_x_mm": 5.3, "start_z_mm": 5.0}
+AUTOMATIC = {"start_by": "automatic"}
+START_XZ_MM = {"given": (5.3, 5.0), "automatic": (4.3 + 5.0, 0.1 + 5.0)}  # X as radius; clear of bar and raw end
+AWAY_MM = 0.02  # of the tool from the proof's path, of a step of 0.0125 mm in X and in Z
+SAME_SHARE = 0.005  # of a volume; a drawn outline may be 0.005 mm from the true one
 THREAD = {"length_mm": 2.0, "first_depth_mm": 0.5, "pull_out_mm": 1.0, "spring_passes": 0}
 WORKED = ["automatic mode", "M02: the program has ended"]  # all that the virtual lathe has to tell
 PARTS: dict[str, tuple[tuple[str, ...], dict[str, Any], dict[str, Any]]] = {  # profile, of the job, of the thread
@@ -47,12 +55,12 @@ def machine(tmp_path: Path) -> str:
     return str(path)
 
 
-def new_job(name: str, machine: str) -> Any:
+def new_job(name: str, machine: str, start: dict[str, Any] = START, feed_mm_rev: float = 0.6) -> Any:
     points, values, thread = PARTS[name]
     document = FreeCAD.newDocument("Acceptance")
     job = api.new_lathe_job(document, machine=machine, stock_diameter_mm=8.6, stock_length_mm=20.0,
-                            stock_face_mm=0.1, x_is="radius", **START, **values)  # fmt: skip
-    cutter = {"insert": "CNMG 120408", "shank_mm": 20.0, "feed_mm_rev": 0.6, "spindle_rpm": 2 * RPM}
+                            stock_face_mm=0.1, x_is="radius", **start, **values)  # fmt: skip
+    cutter = {"insert": "CNMG 120408", "shank_mm": 20.0, "feed_mm_rev": feed_mm_rev, "spindle_rpm": 2 * RPM}
     insert = api.add_tool(job, **cutter)
     profile = api.add_profile(document, points)
     api.add_operation(job, "turn_rough", profile, tool=insert, stock_to_leave_mm=0.2)
@@ -93,8 +101,8 @@ def simulated(hand: Hand) -> None:
     hand.wait(lambda: not FreeCADGui.Control.activeDialog(), 10)
 
 
-def sent(hand: Hand, job: Any, twin: Any, machine: str) -> None:
-    """Send the program that the job shows to a lathe that was just switched on."""
+def connected(hand: Hand, twin: Any, machine: str) -> None:
+    """Begin to send the selected job, up to the question for the zero, to a lathe that was just switched on."""
     hand.command("CNCStepper_Send")
     hand.wait(lambda: hand.exists(f"{D}FlowTitle"), 20, "the steps")
     hand.wait(lambda: "Connect" in hand.text(f"{D}FlowTitle") or "Warnings" in hand.text(f"{D}FlowTitle"), 60)
@@ -105,15 +113,28 @@ def sent(hand: Hand, job: Any, twin: Any, machine: str) -> None:
     hand.fill(f"{D}Port", twin.address)
     hand.click(f"{D}Start")
     step(hand, "Work zero")
+
+
+def begun(hand: Hand) -> None:
+    """Set the zero where the tool is, and begin to cut."""
     hand.click(f"{D}ZeroAll")
     hand.wait(lambda: hand.find(f"{D}Start").isEnabled(), 20, "Start")
     hand.click(f"{D}Start")
-    if hand.main(lambda: places.find(f"{D}Live").isChecked()):
-        hand.wait(lambda: "lathe is not shown" in FreeCADGui.getMainWindow().statusBar().currentMessage(), 20, "a note")
-    step(hand, "Done")
+
+
+def left(hand: Hand) -> None:
+    """Close what has ended, and disconnect."""
     hand.click(f"{D}Cancel")
     hand.click(f"{D}Connect")
     says(hand, "Not connected")
+
+
+def sent(hand: Hand, twin: Any, machine: str) -> None:
+    """Send the program that the selected job shows."""
+    connected(hand, twin, machine)
+    begun(hand)
+    step(hand, "Done")
+    left(hand)
 
 
 def check_steps(text: str, twin: Any, machine: str) -> None:
@@ -137,21 +158,13 @@ def test_an_acceptance_part_from_the_job_to_the_last_step(
 ) -> None:
     job = hand.main(new_job, name, machine, limit_s=60)
     simulated(hand)
-    if name == "cone":
-        show_the_cut(hand)
     for part in range(1, hand.main(lambda: job.ProgramParts) + 1):
         twin = twins("lathe", "--thread-start", "--spindle-rpm", f"{RPM:g}")
         hand.main(show_part, job, part)
-        sent(hand, job, twin, machine)
+        sent(hand, twin, machine)
         twin.end()
         check_steps(hand.main(api.program_text, job), twin, machine)
     hand.shot(f"lathe-sent-{name}")
-
-
-def show_the_cut(hand: Hand) -> None:
-    """Tick the box, which the panel's fixture clears."""
-    hand.main(lambda: places.scroll_to(places.find(f"{D}Live")))
-    hand.click(f"{D}Live")
 
 
 def show_part(job: Any, part: int) -> None:
@@ -160,3 +173,87 @@ def show_part(job: Any, part: int) -> None:
         job.Document.recompute()
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(job)
+
+
+class Seen:
+    """All that a cut under way shows: the section faces of each part, and the reports with the place of the tool."""
+
+    def __init__(self, shown: Any):
+        self.faces: list[np.ndarray] = []
+        self.places: list[tuple[Any, Any]] = []
+        self._change, self._follow = shown._scene.change, shown.follow
+        self._shown = shown
+        shown._scene.change, shown.follow = self._changed, self._followed
+
+    def _changed(self, groups: Any) -> None:
+        self._change(groups)
+        self.faces.append(groups["section"][0])
+
+    def _followed(self, status: Any) -> None:
+        self._follow(status)
+        scene = self._shown._scene
+        if scene._tool.whichChild.getValue() == 0:  # it comes with the first part
+            self.places.append((status.wpos_mm, scene._tool_place.translation.getValue().getValue()))
+
+    @property
+    def volumes(self) -> np.ndarray:
+        """The volume of each part, mm³: what its two half sections sweep, half a turn each."""
+        corners = [faces.reshape(-1, 3, 3).astype(float) for faces in self.faces]
+        areas = [np.linalg.norm(np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0]), axis=1) / 2 for c in corners]
+        radii = [np.hypot(c[:, :, 0], c[:, :, 1]).mean(axis=1) for c in corners]
+        return np.pi * np.array([area @ radius for area, radius in zip(areas, radii, strict=True)])
+
+
+def proven_volume(result: Any) -> float:
+    """The volume of a solid part as it was proven, mm³."""
+    (ring,) = result.rings
+    section = shapely.Polygon(ring)
+    return float(2 * np.pi * section.centroid.y * section.area)
+
+
+def jogged_aside(hand: Hand, panel: Any) -> None:
+    """Jog away from where the lathe was switched on, which its positions count from."""
+    hand.click(f"{D}Step2")
+    hand.click(f"{D}JogXPlus")
+    hand.wait(lambda: panel.link.status.mpos_mm[0] > 0.9, 20, "the jog")
+    says(hand, "Idle")
+
+
+@pytest.mark.parametrize("start", [AUTOMATIC, START], ids=["automatic", "given"])
+def test_the_cut_is_in_the_view_while_the_lathe_makes_it(
+    hand: Hand, panel: Any, twins: Any, machine: str, start: dict[str, Any]
+) -> None:
+    hand.main(new_job, "cone", machine, {**start, "chuck_diameter_mm": 20.0}, 0.1, limit_s=60)
+    connected(hand, twins("lathe", "--spindle-rpm", f"{RPM:g}"), machine)
+    jogged_aside(hand, panel)
+    hand.main(lambda: places.scroll_to(places.find(f"{D}Live")))
+    hand.click(f"{D}Live")
+    with hand.watchdog() as dog:
+        begun(hand)
+        hand.wait(lambda: panel.live.shown is not None, 30, "the cut")
+        shown, seen = panel.live.shown, hand.main(Seen, panel.live.shown)
+        hand.wait(lambda: shown.time_s > shown.result.moves.duration_s / 2 and seen.faces, 60, "half of the cut")
+    hand.main(shown._stage.look_from_the_side)
+    hand.shot(f"lathe-live-{start['start_by']}")
+    step(hand, "Done")
+    hand.wait(lambda: not shown._material.waiting and not shown._material._wanted, 20, "the finished part")
+    hand.shot(f"lathe-live-end-{start['start_by']}")
+    print(f"while the cut is shown: {dog}; {len(seen.faces)} parts, {len(seen.places)} places")
+    assert dog.max_cpu_ms < LONGEST_MS, dog
+    volumes = seen.volumes
+    assert (np.diff(volumes) < 1e-3 * volumes[0]).all() and volumes[0] > 1.01 * volumes[-1] and len(volumes) > 5
+    assert volumes[-1] == pytest.approx(proven_volume(shown.result), rel=SAME_SHARE)
+    check_places(seen, shown.result.moves, *START_XZ_MM[start["start_by"]])
+    left(hand)
+    hand.wait(lambda: panel.live.shown is None, 5, "an empty view")
+
+
+def check_places(seen: Seen, moves: Any, start_x_mm: float, start_z_mm: float) -> None:
+    """The tool was shown where it was reported, counted from the start, and on the proven path."""
+    work_mm, shown_mm = (np.array(column, float) for column in zip(*seen.places, strict=True))
+    wanted_mm = np.column_stack([start_x_mm + work_mm[:, 0], work_mm[:, 1], start_z_mm - work_mm[:, 2]])
+    assert shown_mm == pytest.approx(wanted_mm, abs=1e-3) and len(shown_mm) > 10
+    path = shapely.LineString(np.vstack([moves.begin[:1], moves.end])[:, [0, 2]])
+    away_mm = shapely.distance(path, shapely.points(shown_mm[:, [0, 2]]))
+    print(f"the tool is {away_mm.max():.4f} mm from the path at most")
+    assert away_mm.max() < AWAY_MM
