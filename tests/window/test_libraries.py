@@ -17,6 +17,7 @@ from CNCStepper.machine.files.profile_files import config_folder
 from CNCStepper.machine.libraries.chart_library import CHARTED
 from CNCStepper.machine.libraries.tool_library import library_path, library_tools
 from CNCStepper.workbench import api, panels
+from CNCStepper.workbench.libraries.library_page import WIDEST_PX
 from window_helpers import screen_places as places
 from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
@@ -60,6 +61,16 @@ def test_nothing_is_cut_off(hand: Hand, library: Any) -> None:
         click_tab(hand, library.tabs, tab)
         hand.shot(f"library-{tab}")
         assert hand.main(places.narrower_than_their_text, library) == []
+
+
+def test_columns_are_as_wide_as_qt_makes_them(hand: Hand, library: Any) -> None:
+    def widths(table: Any) -> list[int]:
+        return [min(table.columnWidth(column), WIDEST_PX) for column in range(table.model().columnCount())]
+
+    for page in hand.main(lambda: list(library.pages)):
+        ours = hand.main(widths, page.table)
+        hand.main(page.table.resizeColumnsToContents)
+        assert ours == hand.main(widths, page.table)
 
 
 def test_a_tool_is_typed_saved_searched_and_put_into_the_job(hand: Hand, library: Any) -> None:

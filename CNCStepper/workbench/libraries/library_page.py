@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -19,6 +20,8 @@ from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
 
 WIDEST_PX = 220  # of a column at first
+LONGEST = 8  # so many texts of a column are measured: the one of most letters need not be the widest
+GRID_PX = 1
 
 
 class TablePage(QtGui.QWidget):
@@ -147,9 +150,15 @@ class TablePage(QtGui.QWidget):
         self.table.setFocus()
 
     def _fit_columns(self) -> None:
-        self.table.resizeColumnsToContents()
+        """Make each column as wide as its heading and texts; Qt itself would ask the model for every cell."""
+        header, style = self.table.horizontalHeader(), self.table.style()
+        metrics = QtGui.QFontMetricsF(self.table.font())
+        margin_px = 1 + style.pixelMetric(QtGui.QStyle.PixelMetric.PM_FocusFrameHMargin, None, self.table)
         for column in range(self.model.columnCount()):
-            self.table.setColumnWidth(column, min(self.table.columnWidth(column), WIDEST_PX))
+            longest = sorted(self.model.texts_of(column), key=len)[-LONGEST:]
+            text_px = math.ceil(max(map(metrics.horizontalAdvance, longest), default=0.0))
+            wanted_px = max(header.sectionSizeHint(column), text_px + 2 * margin_px + GRID_PX)
+            self.table.setColumnWidth(column, min(wanted_px, WIDEST_PX))
 
     def _ask_file(self, writing: bool) -> None:
         """Ask for a file to write or to read."""

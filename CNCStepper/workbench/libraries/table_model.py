@@ -58,6 +58,11 @@ class TableModel(QtCore.QAbstractTableModel):
         heading = heading_of(column).partition("\n")[0]
         return f"{row + 1}, {heading}: {translated(sentence)}"
 
+    def texts_of(self, column: int) -> set[str]:
+        """Return the different texts that a column shows."""
+        of = self.draft.library.columns[column]
+        return {_shown_text(of, text) for text in {self.draft.table[row].texts[of.key] for row in self.shown}}
+
     # --- what Qt asks -------------------------------------------------------------------------------
 
     def rowCount(self, parent: Any = NO_PARENT) -> int:
@@ -87,7 +92,7 @@ class TableModel(QtCore.QAbstractTableModel):
         if role == ROLE.EditRole:
             return text
         if role == ROLE.DisplayRole:
-            return words_of(text) if column.kind == "choice" and text in column.choices else text
+            return _shown_text(column, text)
         if role == ROLE.ToolTipRole:
             return translated(problem) if problem else None
         if role == ROLE.ForegroundRole and problem:
@@ -109,6 +114,11 @@ class TableModel(QtCore.QAbstractTableModel):
 
     def _column(self, index: Any) -> Column:
         return self.draft.library.columns[index.column()]
+
+
+def _shown_text(column: Column, text: str) -> str:
+    """Return a cell's text as it is shown: the words of a choice."""
+    return words_of(text) if column.kind == "choice" and text in column.choices else text
 
 
 class ChoiceDelegate(QtGui.QStyledItemDelegate):
