@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from PySide import QtCore, QtGui
@@ -37,10 +37,18 @@ class Box(QtGui.QWidget):
         column.setSpacing(1)
         column.addWidget(self.head)
         column.addWidget(self.body)
+        self._fill: Callable[[], Any] | None = None
         self.fold(folded)
+
+    def fill_when_opened(self, fill: Callable[[], Any]) -> None:
+        """Call `fill` before the body is seen for the first time: what few people open is made when they do."""
+        self._fill = fill
 
     def fold(self, folded: bool) -> None:
         """Hide or show the body."""
+        if self._fill is not None and not folded:
+            fill, self._fill = self._fill, None
+            fill()
         self.body.setVisible(not folded)
         arrow = QtCore.Qt.ArrowType
         self.head.setArrowType(arrow.RightArrow if folded else arrow.DownArrow)

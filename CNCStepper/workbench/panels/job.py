@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 from PySide import QtGui
@@ -148,9 +149,14 @@ class JobPanel(ProgramJobPanel):
 
     def _add_axis_sheet(self) -> None:
         box = Box(tr(AXIS), "axis", True, self.editor)
-        self.axis = AxisSheet(self.job, box.body)
+        box.fill_when_opened(guarded(lambda: self._fill_axis_sheet(box)))
+        self.editor.form.add_widget(MACHINE, box)
+
+    def _fill_axis_sheet(self, box: Box) -> None:
+        axis = AxisSheet(self.job, box.body)
         column = QtGui.QVBoxLayout(box.body)
         column.setContentsMargins(*MARGINS)
-        column.addWidget(self.axis)
-        self.editor.form.add_widget(MACHINE, box)
-        self.editor.applied.connect(guarded(self.axis.follow))
+        column.addWidget(axis)
+        for before, after in pairwise((box.head, *axis.boxes.values(), *axis.lines.values())):
+            QtGui.QWidget.setTabOrder(before, after)  # Qt puts what is made later behind all of the window
+        self.editor.applied.connect(guarded(axis.follow))
