@@ -34,7 +34,7 @@ if INSIDE:
         "test_lathe.py",
         "test_libraries.py",
         "test_machines.py",
-    }  # not test_preferences.py: FreeCAD makes its whole dialog in one event, of which samples see the Python alone
+    }  # test_preferences.py times its page itself: FreeCAD makes its whole dialog in one event
     # A share that samples have told, and a processor's speed, are so much off. In FreeCAD 1.1 it is only printed:
     # PySide6 takes 44 to 83 ms for the fields of some panels.
     ROUGHLY = 1.3 if sys.version_info < (3, 14) else math.inf

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +17,13 @@ from CNCStepper.workbench.document import preferred_values as preferred
 from CNCStepper.workbench.document.preferred_values import GROUP
 from CNCStepper.workbench.features.base import JOB, proxy_type
 from CNCStepper.workbench.first_run import card_setting
+from CNCStepper.workbench.preferences.job_preferences import JobPreferences
 from CNCStepper.workbench.proving.prove_program import proposed
 from window_helpers import screen_places as places
 from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
+from window_helpers.interface import LONGEST_MS
+from window_helpers.processor_speed import slowness
 
 P = "CNCStepper_Preferences"
 
@@ -61,6 +66,32 @@ def test_what_is_preferred_is_what_the_next_job_begins_with(hand: Hand, tmp_path
         hand.main(lambda: (FreeCAD.ParamGet(GROUP).Clear(), card_setting.remember_closed(closed)))
         hand.main(FreeCADGui.Control.closeDialog)
         hand.main(FreeCAD.closeDocument, "Preferred")
+
+
+def page_times_ms() -> dict[str, float]:
+    """Return the processor time that the page takes to be made, to show what is preferred and to keep it."""
+
+    def timed_ms(act: Callable[[], Any]) -> tuple[Any, float]:
+        begun_s = time.thread_time()
+        made = act()
+        return made, 1000 * (time.thread_time() - begun_s) / slow
+
+    slow = slowness()
+    page, making_ms = timed_ms(JobPreferences)
+    times_ms = {act.__name__: timed_ms(act)[1] for act in (page.loadSettings, page.saveSettings)}
+    page.form.deleteLater()
+    return {"making": making_ms, **times_ms}
+
+
+def test_no_call_of_the_page_keeps_the_window(hand: Hand) -> None:
+    """FreeCAD makes its whole dialog in one event, so the page's own calls are timed one by one."""
+    closed = hand.main(card_setting.was_closed)
+    try:
+        times_ms = hand.main(page_times_ms)
+    finally:
+        hand.main(lambda: (FreeCAD.ParamGet(GROUP).Clear(), card_setting.remember_closed(closed)))
+    print(times_ms, flush=True)
+    assert max(times_ms.values()) < LONGEST_MS, times_ms
 
 
 def is_job(obj: Any) -> bool:
