@@ -25,8 +25,10 @@ from helpers.wheels import write_wheel
 from window_helpers import screen_places as places
 from window_helpers.file_dialogs import choose_file
 from window_helpers.hand import Hand
+from window_helpers.interface import LONGEST_MS
 
 I = "CNCStepper_Install"  # noqa: E741
+WAITS_MS = 100.0  # for a lock or a file, 5 ms measured: others use the disk too
 NEEDS = [
     dependencies.Need("cncstepper_probe", "cncstepper_probe", (dependencies.PROGRAM, dependencies.MACHINE)),
     dependencies.Need("cncstepper_spare", "cncstepper_spare", (dependencies.NESTING,)),
@@ -110,8 +112,9 @@ def test_a_folder_is_installed_and_imported_at_once(hand: Hand, open_dialog: Any
     choose(hand, "From a folder…", wheels)
     with hand.watchdog() as watch:
         hand.wait(lambda: dialog.run is None, INSTALLED_S, "the installation")
-    print(f"the longest block of the window: {watch.max_ms:.0f} ms")
-    assert watch.max_ms < 200, "the window waits for pip"
+    print(f"installing: {watch}".partition(" in\n")[0], flush=True)
+    assert watch.max_cpu_ms < LONGEST_MS, watch
+    assert watch.max_waited_ms < WAITS_MS, f"the window waits for pip: {watch}"
     if not ended(hand, dialog):
         return
     assert hand.text(f"{I}_status").startswith("Installed."), hand.main(dialog.details.toPlainText)
