@@ -36,7 +36,7 @@ if INSIDE:
         "test_machines.py",
     }  # test_preferences.py times its page itself: FreeCAD makes its whole dialog in one event
     # A share that samples have told, and a processor's speed, are so much off. In FreeCAD 1.1 it is only printed:
-    # PySide6 takes 44 to 83 ms for the fields of some panels.
+    # PySide6 takes 50 to 97 ms for the fields of the controller dock and of a lathe's job.
     ROUGHLY = 1.3 if sys.version_info < (3, 14) else math.inf
     KERNELS_S = 540  # so long may the kernels take to be compiled, on a busy machine
 

@@ -457,6 +457,31 @@ def test_typing_in_100_000_lines_never_waits(hand: Hand, tmp_path: Path) -> None
     assert typing.max_cpu_ms < AT_ONCE_MS, typing
 
 
+def test_lines_far_apart_are_told_by_themselves(hand: Hand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "far.nc"
+    path.write_text("G21 G90\n" + "G1 X1 F100\n" * 7000, encoding="utf-8")
+    hand.main(FreeCAD.newDocument, "Far")
+    panel = hand.main(editor.open_file, path).panel
+    read(hand, panel)
+    told = []
+
+    def note(first: int, removed: int, lines: list[str], tell: Any = panel.reader.change) -> None:
+        told.append((first, removed, len(lines)))
+        tell(first, removed, lines)
+
+    def type_far_apart() -> None:
+        for line in (6900, 10, 12):
+            panel.edit.go_to(line)
+            panel.edit.insertPlainText("G1 Y7\n")
+
+    monkeypatch.setattr(panel.reader, "change", note)
+    hand.main(type_far_apart)
+    hand.wait(lambda: len(told) == 2, 10, "the second change")
+    read(hand, panel)
+    assert told[0] == (6899, 1, 2) and told[1][0] == 9 and told[1][2] < 10, told
+    assert hand.main(panel.text).count("G1 Y7") == 3 and not panel.edit.marks.all
+
+
 def test_nothing_is_kept_in_the_document_while_a_panel_is_open(hand: Hand, job: Any) -> None:
     obj = hand.main(api.edit_program, job)
     panel = hand.main(editor.open_program, obj).panel

@@ -196,7 +196,9 @@ class EditorPanel(QtGui.QWidget):
 
     def _cursor_moved(self) -> None:
         self._show_cursor()
-        if not self.edit.filling:
+        if self.edit.far_from_change:
+            self.send_typed()
+        elif not self.edit.filling:
             self._sender.start()
 
     def _show_cursor(self) -> None:

@@ -19,6 +19,7 @@ from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.translation import tr
 
 LINES_AT_ONCE = 1000  # so many are put in at once, which takes some ms
+NEAR_LINES = 100  # so far apart, two changes may still be told as one
 KEYS = {"Ctrl+S": "save", "Ctrl+F": "find", "Ctrl+H": "find", "F3": "find_next", "Shift+F3": "find_before"}
 
 
@@ -86,6 +87,14 @@ class ProgramEdit(QtGui.QPlainTextEdit):
         """Return what has changed since this was asked last."""
         change, self._change = self._change, None
         return change
+
+    @property
+    def far_from_change(self) -> bool:
+        """Whether the cursor has left what `take_change` would return: one change of both places would be long."""
+        if self._change is None:
+            return False
+        before = self._change.first - self.textCursor().blockNumber()
+        return max(before, -before - self._change.added) > NEAR_LINES
 
     def replace_all(self, text: str) -> None:
         """Put another text in the place of all, as one step that can be undone."""
