@@ -29,6 +29,7 @@ from CNCStepper.workbench.machines.port_levels import MotorLines, levels_of, pin
 from CNCStepper.workbench.machines.port_picture import PortPicture
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, note_label
 from CNCStepper.workbench.services import messages
+from CNCStepper.workbench.services.button_row import ButtonRow
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import tr
@@ -173,7 +174,7 @@ class MachineTest(QtGui.QWidget):
         form.addRow(tr("Pulses"), self.count)
         back = self._button("back", tr("Pulses −"), partial(self._pulses, -1))
         forward = self._button("forward", tr("Pulses +"), partial(self._pulses, 1))
-        form.addRow(_row(back, forward))
+        form.addRow(self._row(back, forward))
         form.addRow(tr("Feed"), self.feed)
         form.addRow(tr("Size of square and circle"), self.size)
         form.addRow(tr("Lift before"), self.height)
@@ -182,7 +183,7 @@ class MachineTest(QtGui.QWidget):
         self.stop_button = self._button("stop", tr("Stop"), self.bench.stop)
         self._locked.remove(self.stop_button)
         self._in_plane += [self.size, square, circle]
-        form.addRow(_row(square, circle, self.stop_button))
+        form.addRow(self._row(square, circle, self.stop_button))
         return box
 
     def _switching(self) -> Any:
@@ -204,13 +205,13 @@ class MachineTest(QtGui.QWidget):
         form.addRow(tr("Commanded length"), self.travel_length)
         start = self._button("start", tr("To the start"), self._to_start)
         along = self._button("along", tr("Drive the length"), self._drive)
-        form.addRow(_row(start, along))
+        form.addRow(self._row(start, along))
         form.addRow(tr("Measured"), self.measured)
         take = self._button("reading", tr("Take the reading"), self._take_reading)
         self.travel_take = self._button("correct", tr("Put into the profile"), self._correct)
         self._locked.remove(take)
         self._locked.remove(self.travel_take)
-        form.addRow(_row(take, self.travel_take))
+        form.addRow(self._row(take, self.travel_take))
         form.addRow(self.travel_words)
         return box
 
@@ -224,11 +225,11 @@ class MachineTest(QtGui.QWidget):
         form.addRow(tr("Entry from"), self.distance)
         below = self._button("below", tr("Come from below"), partial(self._come, 0))
         above = self._button("above", tr("Come from above"), partial(self._come, 1))
-        form.addRow(_row(below, above))
+        form.addRow(self._row(below, above))
         form.addRow(tr("Dial"), self.dial)
         take = self._button("play_correct", tr("Put into the profile"), self._correct_play)
         self._locked.remove(take)
-        form.addRow(_row(*self._dial_buttons(), take))
+        form.addRow(self._row(*self._dial_buttons(), take))
         form.addRow(self.play_words)
         return box
 
@@ -255,7 +256,7 @@ class MachineTest(QtGui.QWidget):
         for corner in corners:
             corner.setAccessibleName(tr("Side {0} of the rectangle").format(corner.text()))
         self._in_plane += corners
-        form.addRow(_row(*corners))
+        form.addRow(self._row(*corners))
         form.addRow(tr("Lower right to upper left"), self.falling)
         form.addRow(tr("Other diagonal (0: none)"), self.rising)
         show = self._button("angle", tr("Work out the angle"), self._angle)
@@ -400,6 +401,12 @@ class MachineTest(QtGui.QWidget):
         self._locked.append(button)
         return button
 
+    def _row(self, *buttons: Any) -> ButtonRow:
+        row = ButtonRow(self)
+        for button in buttons:
+            row.add(button)
+        return row
+
 
 def _inputs(machine: Machine | None, status: SenderStatus) -> str:
     """Return the inputs that are on: those of a parallel port by what they do, else the letters of the status."""
@@ -414,13 +421,6 @@ def _corners() -> tuple[tuple[int, str], ...]:
 def _box(title: str) -> tuple[Any, Any]:
     box = QtGui.QGroupBox(title)
     return box, QtGui.QFormLayout(box)
-
-
-def _row(*buttons: Any) -> Any:
-    row = QtGui.QHBoxLayout()
-    for button in buttons:
-        row.addWidget(button)
-    return row
 
 
 def _words(name: str, parent: Any) -> Any:

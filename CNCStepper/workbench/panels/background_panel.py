@@ -6,12 +6,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Protocol
 
-from PySide import QtGui
-
 from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.panels.fields import NAME, WorkNote, named_button
 from CNCStepper.workbench.panels.object_form import Editor
 from CNCStepper.workbench.panels.task_panel import Panel
+from CNCStepper.workbench.services.button_row import ButtonRow
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.view_fit import show_all
 
@@ -102,11 +101,9 @@ class BackgroundPanel(Panel):
         self.note.end()
 
 
-def button_row(texts: tuple[tuple[str, str, str, Callable[[], None]], ...], parent: Any) -> Any:
+def button_row(texts: tuple[tuple[str, str, str, Callable[[], None]], ...], parent: Any) -> ButtonRow:
     """Return a row of buttons, each by its name, text, tooltip and what it does."""
-    bar = QtGui.QWidget(parent)
-    row = QtGui.QHBoxLayout(bar)
-    row.setContentsMargins(0, 0, 0, 0)
+    row = ButtonRow(parent)
     for name, text, tip, act in texts:
-        row.addWidget(named_button(f"{NAME}_{name}", text, tip, act, bar))
-    return bar
+        row.add(named_button(f"{NAME}_{name}", text, tip, act, row))
+    return row

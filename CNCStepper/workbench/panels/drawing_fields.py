@@ -12,10 +12,10 @@ from CNCStepper.errors import CNCStepperError
 from CNCStepper.workbench.document import targets
 from CNCStepper.workbench.document.selection import Pair, Selected, selected_drawings
 from CNCStepper.workbench.features.base import value_of
-from CNCStepper.workbench.panels.fields import NAME, WARNING_COLOUR, ChoiceField, Field, note_label
+from CNCStepper.workbench.panels.fields import NAME, WARNING_COLOUR, ChoiceField, Field, named_button, note_label
 from CNCStepper.workbench.panels.number_input import Refused
+from CNCStepper.workbench.services.button_row import ButtonRow
 from CNCStepper.workbench.services.message_translation import translated
-from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.translation import later, tr
 
 MOST_EDGES = 2000  # more are no drawing that a list should look through
@@ -55,15 +55,15 @@ def words_of_drawing(pair: Pair) -> str:
 class _Taking(Field):
     """The base of both fields: buttons that use the selection, and the reason when it is refused."""
 
+    BELOW_LABEL = True  # beside it the buttons are too wide for FreeCAD's dock in its dark theme
+
     def add_buttons(self, buttons: tuple[tuple[str, str, str], ...]) -> None:
         """Add buttons, each by its name, text and tooltip, and the note below them."""
+        row = ButtonRow(self.widget)
         for name, text, tip in buttons:
-            button = QtGui.QPushButton(text, self.widget)
-            button.setObjectName(f"{NAME}_{self.entry.key}_{name}")
-            button.setToolTip(tip)
-            button.setAutoDefault(False)
-            button.clicked.connect(guarded(partial(self.take, name == "add")))
-            self._column.addWidget(button)
+            act = partial(self.take, name == "add")
+            row.add(named_button(f"{NAME}_{self.entry.key}_{name}", text, tip, act, row))
+        self._column.addWidget(row)
         self.unused = note_label(f"{NAME}_{self.entry.key}_unused", WARNING_COLOUR, self.widget)
         self._column.addWidget(self.unused)
         self.say_unused(self.obj.Proxy.unused)

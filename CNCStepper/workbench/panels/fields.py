@@ -145,6 +145,7 @@ class Field(QtCore.QObject):
     """One property in a form: `widget` with the note below it. `changed` is sent after an edit by the user."""
 
     changed = QtCore.Signal()
+    BELOW_LABEL = False  # whether it is as wide as the form
 
     def __init__(self, obj: Any, entry: Property, parent: Any):
         super().__init__(parent)

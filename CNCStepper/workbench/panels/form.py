@@ -149,7 +149,7 @@ class Form(QtGui.QWidget):
         field.changed.connect(self.changed)
         self.fields[entry.key] = field
         layout = _layout(self.box(entry.group, folded))
-        if len(field.editors) > MOST_BESIDE_LABEL:
+        if field.BELOW_LABEL or len(field.editors) > MOST_BESIDE_LABEL:
             layout.addRow(field.label)
             layout.addRow(field.widget)
         else:

@@ -16,6 +16,7 @@ from CNCStepper.workbench.features.base import edit, is_tool, problem_of, proxy_
 from CNCStepper.workbench.panels.fields import ERROR_COLOUR, NAME, WARNING_COLOUR, named_button, note_label
 from CNCStepper.workbench.panels.operations.planned_times import PlannedTimes
 from CNCStepper.workbench.panels.tools.tool_words import tool_words
+from CNCStepper.workbench.services.button_row import ButtonRow
 from CNCStepper.workbench.services.icons import icon
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded, note
@@ -46,14 +47,13 @@ class ObjectList(QtGui.QWidget):
         self.list.setIconSize(QtCore.QSize(ICON_PX, ICON_PX))
         self.list.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.note = note_label(f"{self.name}_error", ERROR_COLOUR, self)
-        self.buttons = QtGui.QHBoxLayout()
-        self.buttons.setSpacing(3)
+        self.buttons = ButtonRow(self)
         column = QtGui.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(3)
         column.addWidget(self.list)
         column.addWidget(self.note)
-        column.addLayout(self.buttons)
+        column.addWidget(self.buttons)
 
     def objects(self) -> list[Any]:
         """Return the objects of the list, in order."""
@@ -70,9 +70,7 @@ class ObjectList(QtGui.QWidget):
 
     def button(self, name: str, text: str, tip: str, act: Callable[[], None]) -> Any:
         """Add a button below the list."""
-        button = named_button(f"{self.name}_{name}", text, tip, act, self)
-        self.buttons.addWidget(button)
-        return button
+        return self.buttons.add(named_button(f"{self.name}_{name}", text, tip, act, self.buttons))
 
     def say(self, sentence: str) -> None:
         """Say below the list why something was not done."""
@@ -188,13 +186,10 @@ class ToolList(ObjectList):
         self.button("add", tr("Add tool"), tr("Add a tool to this job"), self.add)
         self.button("remove", tr("Remove tool"), tr("Delete the marked tool"), self.remove)
         if job.Proxy.TOOL == CUTTER:  # FreeCAD's library and tool tables hold no inserts
-            further = QtGui.QVBoxLayout()  # side by side they are wider than FreeCAD's dock in its dark theme
-            self.layout().addLayout(further)
             tip = tr("Add the tools of FreeCAD's library or of a tool table")
-            further.addWidget(self.button("import", tr("Import…"), tip, self.import_))
+            self.button("import", tr("Import…"), tip, self.import_)
             tip = tr("Add a tool of your own library, or keep the marked one there")
             self.library = self.button("library", tr("Library…"), tip, self.show_library)
-            further.addWidget(self.library)
         self.refresh()
 
     def objects(self) -> list[Any]:

@@ -180,6 +180,7 @@ class RestartPanel(QtGui.QWidget):
         self.line.valueChanged.connect(lambda line: self.line_chosen.emit(line, 0))
         self.time.valueChanged.connect(lambda time: self.line_chosen.emit(self.line.value(), time))
         form = QtGui.QFormLayout()
+        form.setRowWrapPolicy(QtGui.QFormLayout.RowWrapPolicy.WrapLongRows)
         self.line.setAccessibleName(tr("Line"))
         self.time.setAccessibleName(tr("Time that it is run"))
         form.addRow(tr("Line"), self.line)

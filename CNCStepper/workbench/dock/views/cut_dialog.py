@@ -58,7 +58,7 @@ class CutDialog(QtGui.QDialog):
             _named(QtGui.QComboBox(), name) for name in ("process", "material", "consumable")
         )
         self.thickness = _length("thickness", begin.thickness_mm, MOST_THICKNESS_MM)
-        self.size = [_length(name, value, MOST_MM) for name, value in zip("xy", begin.size_mm or (), strict=False)]
+        self.sheet = [_length(name, value, MOST_MM) for name, value in zip("xy", begin.size_mm or (), strict=False)]
         self.feed = _named(QtGui.QLabel(), "feed")
         self.feed.setWordWrap(True)
         self.note = note_label(f"{NAME}_error", ERROR_COLOUR, self)
@@ -75,7 +75,7 @@ class CutDialog(QtGui.QDialog):
     @property
     def choice(self) -> CutChoice:
         """What is chosen now."""
-        x_y = [field.value() for field in self.size]
+        x_y = [field.value() for field in self.sheet]
         return CutChoice(
             self.process.currentData(),
             self.material.currentData() or "",
@@ -91,7 +91,7 @@ class CutDialog(QtGui.QDialog):
         form.addRow(tr("Material"), self.material)
         form.addRow(tr("Thickness"), self.thickness)
         form.addRow(tr("Consumable"), self.consumable)
-        for label, field in zip((tr("Sheet, X"), tr("Sheet, Y")), self.size, strict=False):
+        for label, field in zip((tr("Sheet, X"), tr("Sheet, Y")), self.sheet, strict=False):
             form.addRow(label, field)
         form.addRow(self.feed)
         form.addRow(self.note)
