@@ -42,7 +42,7 @@ class BenchError(Exception):
 
 
 class Window:
-    """A window at a desk whose port is a paced controller; `busy` is what the window does besides."""
+    """A window at a service whose port is a paced controller; `busy` is what the window does besides."""
 
     def __init__(self, port: str, baud: int, folder: Path, notes: Connection, busy: Busy):
         self._client = ConnectionClient.launch(port, baud, folder)
@@ -52,7 +52,7 @@ class Window:
 
     def cut(self, job_file: Path) -> None:
         """Connect, set the zero, as the controller has restarted, and let a job run."""
-        self._until("the desk's connection", lambda: self._client.phase == "connected")
+        self._until("the service's connection", lambda: self._client.phase == "connected")
         self._client.set_zero()
         self._until("the zero", lambda: self._client.status.position_known is True)
         self._client.run(job_file, zero_confirmed=True)
@@ -79,14 +79,14 @@ class Window:
         self._until("the job's end", lambda: self._client.outcome is not None, ends=True)
 
     def leave(self) -> None:
-        """Let the desk end, and wait until it has: its files go with its folder."""
+        """Let the service end, and wait until it has: its files go with its folder."""
         self._client.leave()
         end_s = time.monotonic() + WAIT_LIMIT_S
         while (file := self._client.session_file) and file.exists() and time.monotonic() < end_s:
             time.sleep(WINDOW_S)
 
     def _until(self, what: str, reached: Callable[[], Any], ends: bool = False) -> None:
-        """Look at the desk as a window does until something is reached; raises BenchError where it cannot be."""
+        """Look at the service as a window does until something is reached; raises BenchError where it cannot be."""
         end_s = time.monotonic() + WAIT_LIMIT_S
         while not reached():
             for event in self._client.poll():
@@ -94,7 +94,7 @@ class Window:
             self._busy()
             client = self._client
             if client.phase == "gone":
-                raise BenchError(f"while {what} was waited for the desk ended: {client.error}")
+                raise BenchError(f"while {what} was waited for the service ended: {client.error}")
             if client.outcome and not ends:
                 raise BenchError(f"while {what} was waited for the job ended: {client.outcome.text}")
             if time.monotonic() > end_s:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Resident memory of `cncstepper send`, the sender's process and a desk's, with a short program and a long one.
+"""Resident memory of `cncstepper send`, the sender's process and a service's, with a short program and a long one.
 
-Linux only. Whose programs are to be sent may be said, and how long they are: desk sender command 100000 2000000.
+Linux only. Whose programs are to be sent may be said, and how long they are: service sender command 100000 2000000.
 
 The controller answers at once and stands where its last line ends, so that positions are compared with the path.
 """
@@ -130,8 +130,8 @@ def write_certificate(file: Path, count: int) -> None:
     Certificate(content, program, range(1, count + 1)).write(file)
 
 
-def show_desk(port: str, count: int, folder: Path) -> None:
-    """Print the memory of a desk with the certificate of a program, and how long reading it takes."""
+def show_service(port: str, count: int, folder: Path) -> None:
+    """Print the memory of a service with the certificate of a program, and how long reading it takes."""
     file = folder / "job.zip"
     write_certificate(file, count)
     client = ConnectionClient.launch(port, BAUD, folder)
@@ -145,7 +145,7 @@ def show_desk(port: str, count: int, folder: Path) -> None:
         time.sleep(0.02)
     client.run(file, zero_confirmed=True)
     seen = await_lines(status)
-    print(f"desk, {count} lines, after {seen.acknowledged}: {resident(client.session_file)}", flush=True)
+    print(f"service, {count} lines, after {seen.acknowledged}: {resident(client.session_file)}", flush=True)
     client.stop()
     client.leave()
     begin_s = time.monotonic()
@@ -186,7 +186,7 @@ def show_command(port: str, count: int, folder: Path) -> None:
             client.stop()
 
 
-SHOWN = {"desk": show_desk, "sender": show_sender, "command": show_command}
+SHOWN = {"service": show_service, "sender": show_sender, "command": show_command}
 
 
 def main(shown: list[str], counts: list[int]) -> None:

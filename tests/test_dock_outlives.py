@@ -48,15 +48,15 @@ def window(display: str, mark: str, folder: Path, end: str) -> subprocess.Popen[
     return freecad
 
 
-def desks(folder: Path) -> list[Path]:
+def services(folder: Path) -> list[Path]:
     return running_services(folder / "state" / "cncstepper" / "sessions")
 
 
 def goes_on(folder: Path) -> ConnectionClient:
-    """Return a client of the desk that was left, after more of its job has been cut."""
-    [session_file] = desks(folder)
+    """Return a client of the service that was left, after more of its job has been cut."""
+    [session_file] = services(folder)
     client = ConnectionClient.attach(session_file)
-    wait(lambda: client.poll() is not None and client.phase == "connected", 10, "the desk")
+    wait(lambda: client.poll() is not None and client.phase == "connected", 10, "the service")
     before = client.status.acknowledged
     wait(lambda: client.poll() is not None and client.status.acknowledged > before + 3, 20, "the cut to go on")
     return client
@@ -86,7 +86,7 @@ def test_keep_cutting_and_close(display: str, mark: str, tmp_path: Path) -> None
 def test_stop_the_cut_and_close(display: str, mark: str, tmp_path: Path) -> None:
     assert window(display, mark, tmp_path, "stop").wait(END_S) == 0
     assert start_window.wait_until_gone(mark, END_S) == {}
-    assert desks(tmp_path) == []
+    assert services(tmp_path) == []
 
 
 def test_without_a_job_nothing_is_asked_and_nothing_stays(display: str, mark: str, tmp_path: Path) -> None:

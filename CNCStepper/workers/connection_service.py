@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The service's process: `python -m CNCStepper.workers.connection_service DESK_FILE PORT BAUD [MACHINE]`.
+"""The service's process: `python -m CNCStepper.workers.connection_service SERVICE_FILE PORT BAUD [MACHINE]`.
 
 MACHINE is the profile, by name or file, of a machine without a controller of its own. The service lives as long as
 somebody is attached or wants it kept, a job runs or something moves; SIGTERM stops all safely. How it ended
@@ -78,7 +78,7 @@ def _run(service: ConnectionService, service_file: ServiceFile) -> CNCStepperErr
     except Exception:
         traceback.print_exc()
         what = "the connection service failed by a fault of its own"
-        return CNCStepperError("desk-fault", what, advice="see its log, report it")
+        return CNCStepperError("service-fault", what, advice="see its log, report it")
     return None
 
 

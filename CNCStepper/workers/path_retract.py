@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The process that leads a held job back along its cut for a window: `python -m CNCStepper.workers.path_retract`.
 
-Each line on standard input asks for one thing, in JSON, of the job that the service of the file "desk" runs; each is
+Each line on standard input asks for one thing, in JSON, of the job that the service of the file "service" runs; each is
 answered by one line on standard output, in the same order:
 
-    {"desk": FILE, "find": true}         where on its cut the tool stands; nothing moves
-    {"desk": FILE, "back_mm": 5.0}       held where it moves, then back by so much, and proven before
-    {"desk": FILE, "line": 42}           back to where line 42 of the program begins
-    {"desk": FILE, "entry": true}        back to the last entry into the work
-    {"desk": FILE, "forward_mm": 2.0}    forward again, as far as the program was cut at most
-    {"desk": FILE, "aside": true}        nowhere, outputs off: after it the machine can be jogged
-    {"desk": FILE, "resume": true}       cut from here to the program's end
+    {"service": FILE, "find": true}         where on its cut the tool stands; nothing moves
+    {"service": FILE, "back_mm": 5.0}       held where it moves, then back by so much, and proven before
+    {"service": FILE, "line": 42}           back to where line 42 of the program begins
+    {"service": FILE, "entry": true}        back to the last entry into the work
+    {"service": FILE, "forward_mm": 2.0}    forward again, as far as the program was cut at most
+    {"service": FILE, "aside": true}        nowhere, outputs off: after it the machine can be jogged
+    {"service": FILE, "resume": true}       cut from here to the program's end
 
     {"line": 12, "behind_mm": 5.0, "doubt": ""}     the tool stands there; doubt: what to say of the place, if anything
     {"resumed": true}                               the job goes on
@@ -50,11 +50,11 @@ def answered(question: dict[str, Any]) -> dict[str, Any]:
         return {"refused": error_to_json(error)}
 
 
-def _answer(desk: str, **request: Any) -> dict[str, Any]:
+def _answer(service: str, **request: Any) -> dict[str, Any]:
     from CNCStepper.control.service.connection_session import ConnectionSession
     from CNCStepper.recovery.retract.retract_client import RetractClient
 
-    with ConnectionSession.attach(Path(desk)) as session:
+    with ConnectionSession.attach(Path(service)) as session:
         back = RetractClient(session)
         if "find" in request:
             return _place(back.held())

@@ -75,7 +75,7 @@ def test_a_cut_goes_on_exactly_without_the_freecad_that_began_it(machine: str, t
     sessions = tmp_path / "cncstepper" / "sessions"
     [story] = replays(sessions)
     assert not story.is_done and len(running_services(sessions)) == 1
-    wait(lambda: not running_services(sessions), CUT_S + LEFT_S, "the cut and the desk to end")
+    wait(lambda: not running_services(sessions), CUT_S + LEFT_S, "the cut and the service to end")
     [story] = replays(sessions)
     assert story.is_done and story.finished == len(PLACES) + 1, story
     assert covers(rows_at(PLACES), rows_of_file(tmp_path / "trace.csv"))

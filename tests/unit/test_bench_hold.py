@@ -36,8 +36,8 @@ def test_job_that_ended_is_not_waited_for(bench, monkeypatch):
         window(bench, monkeypatch, outcome=outcome).hold()
 
 
-def test_desk_that_ended_is_not_waited_for(bench, monkeypatch):
-    with pytest.raises(bench.BenchError, match="the desk ended: the link broke"):
+def test_service_that_ended_is_not_waited_for(bench, monkeypatch):
+    with pytest.raises(bench.BenchError, match="the service ended: the link broke"):
         window(bench, monkeypatch, phase="gone", error="the link broke").hold()
 
 

@@ -160,9 +160,9 @@ def test_a_restart_that_is_closed_leaves_nothing_in_memory(hand: Hand, job: Any)
     hand.wait(lambda: not running.kept(), 10, "the closed tasks to be forgotten")
 
 
-def kill_the_desk(machines: list[Any]) -> None:
-    (desk,) = running_services()
-    os.kill(read_private(desk)["process"], signal.SIGKILL)
+def kill_the_service(machines: list[Any]) -> None:
+    (service,) = running_services()
+    os.kill(read_private(service)["process"], signal.SIGKILL)
 
 
 def cut_the_link(machines: list[Any]) -> None:
@@ -190,7 +190,7 @@ def go_on_from_the_lost_link(hand: Hand) -> None:
     hand.wait(lambda: not hand.exists(f"{R}panel"), 10, "the restart to close")
 
 
-@pytest.mark.parametrize(("lose", "how"), [(kill_the_desk, "Killed"), (cut_the_link, "Failed")])
+@pytest.mark.parametrize(("lose", "how"), [(kill_the_service, "Killed"), (cut_the_link, "Failed")])
 def test_a_job_that_was_lost_is_offered_and_restarted_once_the_zero_is_set(
     hand: Hand,
     dock: Any,  # noqa: F811
@@ -230,7 +230,7 @@ def test_a_job_that_was_lost_is_offered_and_restarted_once_the_zero_is_set(
     hand.wait(lambda: hand.exists(f"{D}Start") and "Work zero" in hand.text(f"{D}FlowTitle"), START_S, "the work zero")
     assert not hand.main(start_button().isEnabled) and "position is unknown" in hand.text(f"{D}FlowDetail")
     hand.main(dock.sending.confirm_step)  # whatever asks for the start past the button, the machine is not moved
-    hand.wait(lambda: "Refused by the machine" in hand.text(f"{D}FlowTitle"), 20, "the refusal of the desk")
+    hand.wait(lambda: "Refused by the machine" in hand.text(f"{D}FlowTitle"), 20, "the refusal of the service")
     assert "position is unknown" in hand.text(f"{D}FlowDetail")
     assert hand.main(lambda: dock.link.status.mpos_mm) == (0, 0, 0)
     hand.shot("restart-position-unknown")

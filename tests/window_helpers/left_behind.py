@@ -35,7 +35,7 @@ def main(folder: Path) -> None:
 
 
 def wait_for(client: ConnectionClient, phase: str) -> None:
-    """Poll until the desk is in a phase."""
+    """Poll until the service is in a phase."""
     while client.status.phase != phase:
         client.poll()
         assert client.phase != "gone", client.error

@@ -72,5 +72,5 @@ def _await_process(file: Path, port: str) -> None:
     end_s = time.monotonic() + CLOSE_LIMIT_S
     while is_alive(file):
         if time.monotonic() > end_s:
-            raise LinkError("desk-stays", "the connection does not end", value=port, advice="try again")
+            raise LinkError("service-stays", "the connection does not end", value=port, advice="try again")
         time.sleep(LOOK_EVERY_S)

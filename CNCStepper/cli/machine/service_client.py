@@ -131,7 +131,7 @@ class ServiceClient:
         """Raise why the service has ended, if it has."""
         if self.is_over:
             what = "the connection service has ended"
-            raise self.client.error or CNCStepperError("desk-gone", what, advice="try again")
+            raise self.client.error or CNCStepperError("service-gone", what, advice="try again")
 
     def look(self) -> list[Event]:
         """Wait a moment and return what has happened; raises the error when the service has ended."""
@@ -141,7 +141,7 @@ class ServiceClient:
             if event["event"] in ("message", "warning"):
                 show_text(event["text"])
             elif event["event"] == "refused":
-                raise event.get("error") or MachineRefusal("desk-refused", event["text"], advice="see --help")
+                raise event.get("error") or MachineRefusal("service-refused", event["text"], advice="see --help")
         self.check()
         return events
 

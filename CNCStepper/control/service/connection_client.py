@@ -105,13 +105,13 @@ def launch(port: str, baud: int, folder: Path | None, machine: str = "") -> Futu
             return
         except Exception as error:  # the disk is full or the folder is missing: the window reports it
             what = Text("the connection service cannot be started: {error}", error=error)
-            answer.set_exception(LinkError("desk-start", what, advice="try again"))
+            answer.set_exception(LinkError("service-start", what, advice="try again"))
             return
         answer.set_result((path, process))
         if process:
             process.wait()  # so that nothing is left of it when it has ended
 
-    threading.Thread(target=work, name="launch-desk", daemon=True).start()
+    threading.Thread(target=work, name="launch-service", daemon=True).start()
     return answer
 
 
@@ -356,7 +356,7 @@ class ConnectionClient:
         else:
             self._end(
                 LinkError(
-                    "desk-start", "the connection service does not start", advice=Text("see {log}", log=self._log())
+                    "service-start", "the connection service does not start", advice=Text("see {log}", log=self._log())
                 )
             )
 
@@ -458,7 +458,7 @@ class ConnectionClient:
         except (OSError, ValueError, KeyError) as error:
             return unreadable(path, str(error))
         return LinkError(
-            "desk-lost",
+            "service-lost",
             Text("the connection service of {port} is not there, or was killed", port=self.port),
             advice=Text(
                 "if it was cutting, the position is unknown: look at the machine, then see {log}", log=self._log()

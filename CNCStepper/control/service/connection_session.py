@@ -77,7 +77,7 @@ class ConnectionSession:
         events = self._client.poll()
         if self._client.phase == "gone":
             what = "the connection service has ended"
-            raise self._client.error or LinkError("desk-gone", what, advice="connect again")
+            raise self._client.error or LinkError("service-gone", what, advice="connect again")
         if not events:
             time.sleep(wait_s)
         return events

@@ -2,7 +2,7 @@
 """The files of a session, readable by their owner only: how to reach it, how it ended, what it logged.
 
 NAME.session   address, token and process, locked while it runs     NAME.outcome   afterwards       NAME.log
-NAME.desk      the same of a connection service                     NAME.sock      where it listens
+NAME.service   the same of a connection service                     NAME.sock      where it listens
 NAME.wire      the job, while it runs; of a service, its last one
 
 Nobody but its own process removes what belongs to a living one; whether it lives says its lock (`own_file`). A file
@@ -28,7 +28,7 @@ from CNCStepper.errors import JobError, LinkError, Text, missing_package
 
 KEPT = 20  # sessions whose outcome and log are kept
 RECENT_S = 600.0  # younger files are kept in any case: a client may be about to read them
-SESSION, SERVICE, OUTCOME, LOG, WIRE = ".session", ".desk", ".outcome", ".log", ".wire"
+SESSION, SERVICE, OUTCOME, LOG, WIRE = ".session", ".service", ".outcome", ".log", ".wire"
 LARGEST_BYTES = 10_000_000  # of a file of `write_private` that is read whole
 MEND_LIMIT_S = 3 * LOOK_EVERY_S  # within which a living process has mended its file
 _Compare = Callable[[PortIdentity, PortIdentity], bool]

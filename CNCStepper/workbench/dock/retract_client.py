@@ -71,7 +71,7 @@ class RetractRun:
     def _ask(self, kind: str, value: float | bool) -> None:
         assert self._link.client  # a job runs there
         self.flow.ask(kind)
-        self._questions.ask({"desk": str(self._link.client.session_file), kind: value})
+        self._questions.ask({"service": str(self._link.client.session_file), kind: value})
         self._changed()
 
     def _answered(self, answer: dict[str, Any]) -> None:

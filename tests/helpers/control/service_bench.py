@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A desk at a virtual grbl, both in one thread and in simulated time, and a person who waits and asks."""
+"""A service at a virtual grbl, both in one thread and in simulated time, and a person who waits and asks."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ Person = Iterator[Callable[[], bool] | float]
 
 
 class Table(Unqueued):
-    """A virtual board behind its serial line, as a link for the desk; reading lets time pass and the person act.
+    """A virtual board behind its serial line, as a link for the service; reading lets time pass and the person act.
 
     written: (time, bytes) that reached the port. cut: the cable is out. board: one that has run already, without a
     greeting; a new one when None.
@@ -103,7 +103,7 @@ class Table(Unqueued):
 
 
 class Visit:
-    """One desk from its first to its last moment, with all that it told."""
+    """One service from its first to its last moment, with all that it told."""
 
     def __init__(
         self,
@@ -120,9 +120,9 @@ class Visit:
         self.outcomes: list[Outcome] = []
         self.alone_s = 0.0
         self._file = tmp_path / "a job ç.json"
-        self.desk = ConnectionService(
+        self.service = ConnectionService(
             "table",
-            job_file=tmp_path / "desk ç.wire",
+            job_file=tmp_path / "service ç.wire",
             opener=lambda name, baud: self.table,
             timing=timing,
             clock=self.table.clock,
@@ -135,7 +135,7 @@ class Visit:
         )
 
     def receive(self, person: Callable[[], Person]) -> None:
-        """Let a person come who, at the end, tells the desk to end.
+        """Let a person come who, at the end, tells the service to end.
 
         The journal is written in this thread: a real disk takes its own time, in which simulated minutes pass.
         """
@@ -143,29 +143,29 @@ class Visit:
         def visit() -> Person:
             yield lambda: self.phase != "connecting"
             yield from person()
-            self.desk.stop()
+            self.service.stop()
 
         self.table.person = visit()
         with patch.object(writer, "ThreadPoolExecutor", lambda *_: AtOnce()):
-            self.desk.run()
+            self.service.run()
 
     def ask(self, name: str, **values) -> None:
         if name == "jog":
             values = dict.fromkeys(("x_mm", "y_mm", "z_mm"), 0.0) | {"feed_mm_min": 3000.0} | values
-        self.desk.ask(Command(name, values))
+        self.service.ask(Command(name, values))
 
     def job(self, *lines: str, zeroed: bool = True, command: str = "run", **job) -> None:
         """Ask for a job of these lines, as the window leaves it in a file: without a port.
 
         zeroed: where the position is unknown, this place is made the zero first. command: "send" asks as a terminal.
         """
-        if zeroed and self.phase == "idle" and self.desk.status().position_known is False:
+        if zeroed and self.phase == "idle" and self.service.status().position_known is False:
             self.ask("set_zero", axes="XYZ")
         write_job(self._file, SendJob("nowhere", lines, file="part.nc", **job))
         self.ask(command, file=str(self._file), zero_confirmed=True, allow_differences=False)
 
     def at(self, *phases: str) -> Callable[[], bool]:
-        """Return what to wait for: the desk is in one of these phases."""
+        """Return what to wait for: the service is in one of these phases."""
         return lambda: self.phase in phases
 
     def ended(self, jobs: int = 1) -> Callable[[], bool]:
@@ -173,7 +173,7 @@ class Visit:
 
     @property
     def phase(self) -> str:
-        return self.desk.status().phase
+        return self.service.status().phase
 
     def refusals(self) -> list[str]:
         return [error.code for _, error in self.refused]

@@ -30,7 +30,7 @@ class Workshop:
         return PositionTrustFile.of_port(self.folder, "table")
 
     def visit(self, person: Callable[[Visit], Person]) -> Visit:
-        """Let a person come to a desk of their own."""
+        """Let a person come to a service of their own."""
         visit = Visit(self.folder, kept=self.kept, board=self.board)
         visit.receive(lambda: person(visit))
         return visit

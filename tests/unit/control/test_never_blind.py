@@ -53,7 +53,7 @@ def zero(visit: Visit, axes: str = "XYZ") -> Person:
 
 
 def look(visit: Visit) -> Person:
-    visit.known = visit.desk.status().position_known
+    visit.known = visit.service.status().position_known
     return iter(())
 
 
@@ -71,7 +71,7 @@ def test_after_a_reset_in_motion_no_word_lets_the_next_job_go(shop):
         assert "home it" in blind.text and "set the zero of all axes" in blind.text
 
 
-def test_the_next_desk_takes_a_jog_but_no_line_and_no_job(shop):
+def test_the_next_service_takes_a_jog_but_no_line_and_no_job(shop):
     lose(shop)
 
     def person(visit: Visit) -> Person:
@@ -115,7 +115,7 @@ def test_after_its_sender_was_killed_a_machine_takes_no_job(shop):
     assert shop.send().kind == DONE
 
 
-def test_after_its_desk_was_killed_in_a_job_a_machine_takes_none(shop):
+def test_after_its_service_was_killed_in_a_job_a_machine_takes_none(shop):
     def person(visit: Visit) -> Person:
         visit.job(*LINES)
         yield visit.at("running")
@@ -209,7 +209,7 @@ def test_a_stop_and_a_job_that_was_refused_cost_nothing(shop):
     assert shop.kept.trust == NOTHING_AGAINST and shop.send().kind == DONE
 
 
-def test_a_desk_that_loses_its_link_at_rest_has_lost_the_position(shop):
+def test_a_service_that_loses_its_link_at_rest_has_lost_the_position(shop):
     def person(visit: Visit) -> Person:
         yield from zero(visit)
         visit.table.cut = True
@@ -255,7 +255,7 @@ def test_what_the_machine_says_while_a_job_is_prepared_costs_the_position_beside
         read = visit.table.read
 
         def disturbed(wait_s: float) -> bytes:
-            if visit.desk._run is None:
+            if visit.service._run is None:
                 return read(wait_s)
             visit.table.read = read
             if stops:

@@ -178,7 +178,7 @@ def test_a_zero_is_set_and_programs_count_from_it(visit: FamilyVisit) -> None:
         yield visit.at("jogging")
         yield visit.at("idle")
         visit.ask("set_zero", axes="XYZ")
-        axes = "".join(axis for axis in "XYZ" if f"axis-{axis.lower()}" not in visit.desk.status().cannot)
+        axes = "".join(axis for axis in "XYZ" if f"axis-{axis.lower()}" not in visit.service.status().cannot)
         yield lambda: ("message", f"zero of {axes} set in G54") in visit.told
         visit.job(*visit.programs.to_3)
         yield visit.ended()

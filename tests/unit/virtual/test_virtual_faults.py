@@ -208,7 +208,7 @@ def test_command_line_refuses_what_it_cannot_do(tmp_path, kind):
 
 
 def test_kill_of_a_process_that_has_ended_is_no_error_and_a_file_without_one_is(tmp_path):
-    path = tmp_path / "desk.session"
+    path = tmp_path / "service.session"
     path.write_text('{"process": 999999999}')
     kill_sender(Fault(kind="kill", at_s=0, pid_file=str(path)))
     path.write_text("{}")

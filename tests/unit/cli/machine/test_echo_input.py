@@ -21,14 +21,16 @@ ALARM = SenderStatus("alarm", machine_state="Alarm", message="a limit switch was
 
 
 class FakeTalk:
-    """A desk whose events wait in a list until they are looked at."""
+    """A service whose events wait in a list until they are looked at."""
 
     def __init__(self) -> None:
         self.status = IDLE
         self.events: list[dict[str, str]] = []
         self.looks = 0
         self.is_over = False
-        self.client = SimpleNamespace(error=LinkError("desk-lost", "the desk is gone", advice="look at the cable"))
+        self.client = SimpleNamespace(
+            error=LinkError("service-lost", "the service is gone", advice="look at the cable")
+        )
 
     def heard(self) -> list[dict[str, str]]:
         self.looks += 1
@@ -96,7 +98,7 @@ def test_alarm_of_the_line_before_is_told_and_a_hold_that_was_asked_for_is_not(c
     assert "ALARM:1" in capsys.readouterr().out
 
 
-def test_nothing_is_taken_from_the_desk_while_nobody_types():
+def test_nothing_is_taken_from_the_service_while_nobody_types():
     talk = FakeTalk()
     with EchoInput(talk, "> "):
         look_twice(talk)
@@ -110,7 +112,7 @@ def test_lost_link_is_said_at_once(capsys):
     talk = FakeTalk()
     with EchoInput(talk, "> "):
         talk.is_over = True
-        wait_until(lambda: "the desk is gone" in capsys.readouterr().out)
+        wait_until(lambda: "the service is gone" in capsys.readouterr().out)
 
 
 def test_where_the_typed_line_is_not_known_it_stays_where_it_is(capsys, monkeypatch):

@@ -21,7 +21,7 @@ from helpers.cli.command_line import called, command, forked
 
 
 class FakeTalk:
-    """A desk that does all at once, and notes what it was asked."""
+    """A service that does all at once, and notes what it was asked."""
 
     def __init__(self) -> None:
         self.asked: list[str] = []
@@ -82,8 +82,8 @@ def test_console_shows_where_the_machine_stands_and_that_it_is_unknown(capsys):
     assert capsys.readouterr().out == "Idle  X1.000 Y2.000 Z3.000  position unknown\n"
 
 
-class QuietDesk:
-    """A desk whose machine does not change: it tells its status only where it is asked."""
+class QuietService:
+    """A service whose machine does not change: it tells its status only where it is asked."""
 
     def __init__(self) -> None:
         self.status = SenderStatus("alarm", machine_state="Alarm")
@@ -99,14 +99,14 @@ class QuietDesk:
 
 def test_console_shows_a_machine_that_does_not_change_as_often_as_it_is_asked(capsys):
     talk = ServiceClient.__new__(ServiceClient)
-    talk.client = QuietDesk()
+    talk.client = QuietService()
     for _ in range(3):
         Session(talk).do("?")
     assert capsys.readouterr().out == "Alarm\n" * 3
 
 
-class GrblDesk(QuietDesk):
-    """A desk whose machine tells its overrides with the third status, and a change with the next but one."""
+class GrblService(QuietService):
+    """A service whose machine tells its overrides with the third status, and a change with the next but one."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -122,7 +122,7 @@ class GrblDesk(QuietDesk):
 
 def test_override_is_shown_where_those_of_before_were_not_told_yet(capsys):
     talk = ServiceClient.__new__(ServiceClient)
-    talk.client = GrblDesk()
+    talk.client = GrblService()
     Session(talk).do("feed +10")
     assert capsys.readouterr().out == "110/100/100 %\n"
 
@@ -214,7 +214,7 @@ def test_port_where_nothing_answers_is_said(port):
     assert silent.returncode == 1 and "nothing answers" in silent.stdout
 
 
-def test_refusal_of_a_desk_keeps_its_words():
+def test_refusal_of_a_service_keeps_its_words():
     class Refusing(FakeTalk):
         def set_zero(self, axes: str) -> None:
             raise MachineRefusal("axes", f"'{axes}' names no axes", advice="write for example XYZ, or Z alone")

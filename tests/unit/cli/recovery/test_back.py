@@ -92,8 +92,8 @@ def test_without_a_session_it_says_what_to_do(tmp_path: Path, monkeypatch: pytes
 
 
 @pytest.fixture
-def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[ConnectionClient]:
-    """A window's client of a desk that cuts the program at a virtual grbl."""
+def service(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[ConnectionClient]:
+    """A window's client of a service that cuts the program at a virtual grbl."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     machine = load_machine("table-a")
     job = send_job(prepare(PROGRAM, "grbl", "a part ç.nc"), machine, "a part ç.nc", None, "grbl")
@@ -103,17 +103,17 @@ def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Connection
     with subprocess.Popen(command(*VIRTUAL), preexec_fn=forked(*VIRTUAL), **pipe) as table:
         assert table.stdout
         client = ConnectionClient.launch(table.stdout.readline().rpartition(" ")[2].strip())
-        await_desk(client, lambda: client.status.phase == "idle")
+        await_service(client, lambda: client.status.phase == "idle")
         client.set_zero()  # a machine that was just switched on
         client.run(file, zero_confirmed=True)
-        await_desk(client, lambda: (client.status.mpos_mm or (0.0,))[0] < -10.0)
+        await_service(client, lambda: (client.status.mpos_mm or (0.0,))[0] < -10.0)
         yield client
         client.stop()
         client.leave()
         table.terminate()
 
 
-def await_desk(client: ConnectionClient, reached: Callable[[], bool]) -> None:
+def await_service(client: ConnectionClient, reached: Callable[[], bool]) -> None:
     """Poll until it is reached, as a window does."""
     end_s = time.monotonic() + 60
     while not reached():
@@ -124,11 +124,11 @@ def await_desk(client: ConnectionClient, reached: Callable[[], bool]) -> None:
 
 
 @pytest.mark.slow
-def test_job_of_a_window_is_led_back_by_the_command_line_and_by_the_windows_process(desk: ConnectionClient) -> None:
+def test_job_of_a_window_is_led_back_by_the_command_line_and_by_the_windows_process(service: ConnectionClient) -> None:
     back = called("back", "--distance", "1")
     assert back.returncode == 0, back.stderr
     assert back.stdout.splitlines()[-1].startswith("retreated: line 7")
-    ask = {"desk": str(desk.session_file)}
+    ask = {"service": str(service.session_file)}
     found = answered(ask | {"find": True})
     assert found == {"line": 7, "behind_mm": pytest.approx(1.0, abs=STEP_MM), "doubt": ""}
     assert answered(ask | {"line": 9})["refused"]["code"] == "retreat-line"
@@ -136,8 +136,8 @@ def test_job_of_a_window_is_led_back_by_the_command_line_and_by_the_windows_proc
     assert answered(ask | {"aside": True})["behind_mm"] == pytest.approx(0.75, abs=STEP_MM)
     assert answered(ask | {"resume": True}) == {"resumed": True}
     assert answered(ask | {"find": True})["refused"]["code"] == "not-held"
-    await_desk(desk, lambda: desk.status.phase == "running")
-    desk.stop()
-    await_desk(desk, lambda: desk.outcome is not None)
+    await_service(service, lambda: service.status.phase == "running")
+    service.stop()
+    await_service(service, lambda: service.outcome is not None)
     assert "no job runs" in called("back", "--entry").stderr
     assert answered(ask | {"back_mm": 1.0})["refused"]["code"] == "not-held"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lines that a person types at a desk: which go to the machine, what comes back, and when they are done."""
+"""Lines that a person types at a service: which go to the machine, what comes back, and when they are done."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def said(visit: Visit) -> list[str]:
 
 def known_position(visit: Visit):
     visit.ask("set_zero", axes="XYZ")
-    yield lambda: visit.desk.status().position_known is True
+    yield lambda: visit.service.status().position_known is True
 
 
 @pytest.mark.parametrize(
@@ -74,7 +74,7 @@ def test_question_is_answered_with_the_controllers_words(visit):
 
 def test_after_a_greeting_only_homing_jog_and_unlock_move_the_machine(visit):
     def person():
-        assert visit.desk.status().position_known is False
+        assert visit.service.status().position_known is False
         yield from typed(visit, "G0X-5")
         yield from typed(visit, "$J=G91X-2F3000")
 
@@ -124,10 +124,10 @@ def test_second_line_waits_and_a_held_move_goes_on_or_is_stopped(visit):
         visit.ask("line", text="G0X0")
         yield lambda: len(visit.refused) == 1
         visit.ask("hold")
-        yield lambda: visit.desk.status().machine_state == "Hold:1"
+        yield lambda: visit.service.status().machine_state == "Hold:1"
         visit.ask("resume")
         yield lambda: len(visit.refused) == 2
-        yield lambda: visit.desk.status().machine_state == "Hold:0"
+        yield lambda: visit.service.status().machine_state == "Hold:0"
         visit.ask("resume")
         yield visit.at("busy")
         visit.ask("stop")
@@ -136,7 +136,7 @@ def test_second_line_waits_and_a_held_move_goes_on_or_is_stopped(visit):
     visit.receive(person)
     assert [error.code for _, error in visit.refused] == ["machine-busy", "machine-slowing"]
     assert answers(visit) == ["given up: the controller was reset or is locked"]
-    assert visit.desk.status().position_known is True
+    assert visit.service.status().position_known is True
 
 
 def test_setting_is_taken_over_and_other_steps_cost_the_position(visit):
@@ -146,14 +146,14 @@ def test_setting_is_taken_over_and_other_steps_cost_the_position(visit):
         yield from known_position(visit)
         for text in ("$110=4000", "$100=81"):
             yield from typed(visit, text)
-            known.append(visit.desk.status().position_known)
+            known.append(visit.service.status().position_known)
 
     visit.receive(person)
     assert known == [True, False] and answers(visit) == ["ok", "ok"]
 
 
 @pytest.mark.slow
-def test_home_and_unlock_are_the_desks_own(tmp_path):
+def test_home_and_unlock_are_the_services_own(tmp_path):
     visit = Visit(tmp_path, homing=True)
 
     def person():
@@ -164,7 +164,7 @@ def test_home_and_unlock_are_the_desks_own(tmp_path):
         yield visit.at("idle")
 
     visit.receive(person)
-    assert visit.desk.status().homed and not visit.refused
+    assert visit.service.status().homed and not visit.refused
 
 
 def test_long_dwell_is_no_missing_answer(visit):
@@ -187,10 +187,10 @@ def test_no_line_is_taken_while_a_job_runs(visit):
     assert [error.code for _, error in visit.refused] == ["job-runs"]
 
 
-def test_report_that_nobody_asked_for_is_told_and_the_desks_own_questions_are_not(visit):
+def test_report_that_nobody_asked_for_is_told_and_the_services_own_questions_are_not(visit):
     def person():
         yield from known_position(visit)
-        yield 1.0  # the desk asks $# and $G anew
+        yield 1.0  # the service asks $# and $G anew
         visit.table.board.send("[PRB:1.000,2.000,3.000:1]")
         yield lambda: bool(said(visit))
 

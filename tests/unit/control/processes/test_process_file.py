@@ -196,14 +196,14 @@ def test_a_file_that_a_client_looks_at_is_removed_when_it_was_closed(tmp_path, m
     assert len(tries) == 4 and not path.exists()
 
 
-def test_a_desk_leaves_nothing_where_the_disk_takes_no_outcome(tmp_path, monkeypatch):
+def test_a_service_leaves_nothing_where_the_disk_takes_no_outcome(tmp_path, monkeypatch):
     def full(path: Path, content: object) -> None:
         raise OSError(28, "No space left on device")
 
     for name in ("stop_on_signals", "go_first"):
         monkeypatch.setattr(connection_service, name, lambda *arguments: None)
     monkeypatch.setattr(sys, "setswitchinterval", lambda seconds: None)
-    monkeypatch.setattr(connection_service, "_run", lambda desk, service_file: None)
+    monkeypatch.setattr(connection_service, "_run", lambda service, service_file: None)
     monkeypatch.setattr(connection_service, "write_private", full)
     tmp_path.chmod(0o700)
     with pytest.raises(OSError, match="No space"):
@@ -290,9 +290,9 @@ def test_an_outcome_that_cannot_be_read_is_told_in_a_sentence(tmp_path, how):
     spoiled(tmp_path / f"a{OUTCOME}", how)
     with pytest.raises(LinkError, match=r"outcome cannot be read.*position is unknown"):
         SessionClient.attach(tmp_path / f"a{SESSION}")
-    desk = ConnectionClient.attach(tmp_path / f"a{SERVICE}")
-    desk.poll()
-    assert desk.phase == "gone" and isinstance(desk.error, CNCStepperError)
+    service = ConnectionClient.attach(tmp_path / f"a{SERVICE}")
+    service.poll()
+    assert service.phase == "gone" and isinstance(service.error, CNCStepperError)
 
 
 @pytest.mark.slow

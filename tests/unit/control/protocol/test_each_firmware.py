@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A desk and its jobs at a virtual board of each firmware, and what is compared there before a send."""
+"""A service and its jobs at a virtual board of each firmware, and what is compared there before a send."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ EXPECTED = expected_settings(load_machine("table-a"))
 
 def at_zero(visit: Visit):
     visit.ask("set_zero", axes="XYZ")
-    yield lambda: visit.desk.status().position_known is True
+    yield lambda: visit.service.status().position_known is True
 
 
 def warnings(visit: Visit) -> list[str]:
@@ -51,7 +51,7 @@ def test_reports_in_inches_are_understood_everywhere(tmp_path, firmware):
         visit.ask("jog", x_mm=-10.0, y_mm=0.0)
         yield visit.at("jogging")
         yield visit.at("idle")
-        seen.append(visit.desk.status().wpos_mm)
+        seen.append(visit.service.status().wpos_mm)
 
     visit.receive(person)
     assert visit.outcomes[0].done
@@ -119,9 +119,9 @@ def test_positions_are_not_told_before_their_units_are_known(tmp_path):
     seen = []
 
     def person():
-        seen.append(visit.desk.status())
-        yield lambda: visit.desk.status().mpos_mm is not None
-        seen.append(visit.desk.status())
+        seen.append(visit.service.status())
+        yield lambda: visit.service.status().mpos_mm is not None
+        seen.append(visit.service.status())
 
     visit.receive(person)
     assert seen[0].machine_state == "Run" and seen[0].mpos_mm is None and seen[0].feed_mm_min is None

@@ -120,7 +120,7 @@ def done_and_restarted(visit: Visit) -> Person:
     visit.job("G21G90G54", "G1X-4F3000")
     yield visit.ended()
     visit.table.board.power_up()
-    yield lambda: visit.desk.status().position_known is False
+    yield lambda: visit.service.status().position_known is False
     yield 0.5
 
 
@@ -153,12 +153,12 @@ def test_each_way_asks_for_the_position_or_does_not_need_it(tmp_path, way):
     assert moved == [way.does == JOGS]
 
 
-def test_the_table_names_every_command_that_a_desk_takes(tmp_path):
+def test_the_table_names_every_command_that_a_service_takes(tmp_path):
     visit = lost(tmp_path, table(homing=False))
     seen: list[str] = []
 
     def person() -> Person:
-        seen.extend(visit.desk._idle._does)
+        seen.extend(visit.service._idle._does)
         yield 0.0
 
     visit.receive(person)
@@ -166,12 +166,12 @@ def test_the_table_names_every_command_that_a_desk_takes(tmp_path):
     assert {way.command for way in WAYS} == {*ConnectionService.commands, *seen, *buttons, "again"}
 
 
-def test_the_desk_lets_all_of_it_go_when_the_zero_is_set(tmp_path):
+def test_the_service_lets_all_of_it_go_when_the_zero_is_set(tmp_path):
     visit = lost(tmp_path, table(homing=False))
 
     def person() -> Person:
         visit.ask("set_zero", axes="XYZ")
-        yield lambda: visit.desk.status().position_known is True
+        yield lambda: visit.service.status().position_known is True
         visit.job("G21G90G54", "G1X-4Y-3F1000")
         yield visit.ended()
         visit.ask("line", text="G0 X-6")

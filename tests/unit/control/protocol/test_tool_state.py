@@ -25,7 +25,7 @@ def test_job_pauses_and_says_what_is_wanted_until_it_is_resumed(visit):
         visit.job(*LINES, messages={2: "tool 2: drill of 3 mm"})
         yield visit.at("paused")
         yield 2.0
-        seen.append((visit.desk.status().message, visit.table.x_mm(), visit.table.sent(b"~")))
+        seen.append((visit.service.status().message, visit.table.x_mm(), visit.table.sent(b"~")))
         visit.ask("resume")
         yield visit.ended()
 
@@ -63,7 +63,7 @@ def test_tool_change_is_sent_and_a_bare_pause_is_not(visit):
 def test_typed_tool_change_is_resumed_too(visit):
     def person():
         visit.ask("set_zero", axes="XYZ")
-        yield lambda: visit.desk.status().position_known is True
+        yield lambda: visit.service.status().position_known is True
         visit.ask("line", text="M6")
         yield visit.at("held")
         visit.ask("resume")
@@ -86,13 +86,13 @@ def test_lines_that_wait_for_a_person_are_known(text, waits):
 def at_tool(visit):
     """Wait until the job stands at its M6 and the controller can be jogged."""
     yield lambda: visit.phase == "paused" and len(visit.table.sent(b"\xa3")) > 0
-    yield lambda: visit.desk.status().machine_state == "Tool"
+    yield lambda: visit.service.status().machine_state == "Tool"
 
 
 def jogged(visit, **way):
     visit.ask("jog", **way)
     yield lambda: visit.table.board.state is State.JOG
-    yield lambda: visit.desk.status().machine_state == "Tool" and visit.table.board.state is State.TOOL
+    yield lambda: visit.service.status().machine_state == "Tool" and visit.table.board.state is State.TOOL
 
 
 def test_who_jogs_while_the_tool_is_changed_is_taken_back_before_the_change_ends(visit):
@@ -146,7 +146,7 @@ def test_nothing_follows_a_tool_change_before_its_end(visit):
     def person():
         visit.job(*LINES, *(f"G1X-{number}" for number in range(5, 20)))
         yield from at_tool(visit)
-        assert visit.desk.status().sent == visit.desk.status().acknowledged == 3
+        assert visit.service.status().sent == visit.service.status().acknowledged == 3
         visit.ask("resume")
         yield visit.ended()
 

@@ -99,7 +99,7 @@ def locked() -> Iterator[Callable[[Path], None]]:
 # --- whose port ------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("kind", "at", "running"), KINDS, ids=["session", "desk"])
+@pytest.mark.parametrize(("kind", "at", "running"), KINDS, ids=["session", "service"])
 @pytest.mark.parametrize("lives", [True, False], ids=["lives", "has ended"])
 def test_a_closed_file_keeps_no_port_and_hides_nobody_elses(folder, close, locked, kind, at, running, lives):
     other = close(folder / f"a{kind}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A window's side of a desk, each in a process of its own, at a virtual grbl that ends when it is left."""
+"""A window's side of a service, each in a process of its own, at a virtual grbl that ends when it is left."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Window:
 
 @pytest.fixture
 def table() -> Iterator[str]:
-    """Yield the port of a virtual grbl; it must end by itself once its desk has gone."""
+    """Yield the port of a virtual grbl; it must end by itself once its service has gone."""
     words = ["-m", "CNCStepper.cli.main", "virtual", "grbl", "--tcp", "127.0.0.1:0", "--until-left"]
     with subprocess.Popen([sys.executable, *words], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout
@@ -69,17 +69,17 @@ def table() -> Iterator[str]:
 
 @pytest.fixture(autouse=True)
 def _nothing_left(tmp_path):
-    """No desk of a test may outlive it."""
+    """No service of a test may outlive it."""
     yield
     end_s = time.monotonic() + LIMIT_S
     while [path for path in running_services(tmp_path) if process_of(path)]:
-        assert time.monotonic() < end_s, "a desk was left behind"
+        assert time.monotonic() < end_s, "a service was left behind"
         time.sleep(0.05)
 
 
 @pytest.fixture
 def window(table, tmp_path) -> Iterator[Window]:
-    """A window whose desk is connected; it leaves in the end."""
+    """A window whose service is connected; it leaves in the end."""
     window = Window(ConnectionClient.launch(table, folder=tmp_path))
     window.until(lambda: window.client.phase == "connected")
     yield window
@@ -201,7 +201,7 @@ def test_killed_window_does_not_stop_the_cut_and_a_new_one_attaches(table, tmp_p
 
 
 @pytest.mark.slow
-def test_second_launch_on_one_port_attaches_to_the_desk_that_is_there(window, tmp_path):
+def test_second_launch_on_one_port_attaches_to_the_service_that_is_there(window, tmp_path):
     second = Window(ConnectionClient.launch(window.client.port, folder=tmp_path))
     second.until(lambda: second.client.phase == "connected")
     assert second.client.session_file == window.client.session_file
@@ -214,7 +214,7 @@ def test_second_launch_on_one_port_attaches_to_the_desk_that_is_there(window, tm
 
 
 @pytest.mark.slow
-def test_two_desks_started_at_one_moment_agree_on_one(window, tmp_path):
+def test_two_services_started_at_one_moment_agree_on_one(window, tmp_path):
     path = new_session(tmp_path, SERVICE).with_name(f"99990101-000000-ff{SERVICE}")
     process = detached_process.start(sys.executable, WORKER, path, window.client.port, "115200")
     assert process.wait(LIMIT_S) == 1
@@ -255,16 +255,16 @@ def test_without_a_python_the_launch_says_what_is_missing(monkeypatch, tmp_path)
 def test_folder_that_cannot_be_written_is_said(tmp_path):
     window = Window(ConnectionClient.launch("/dev/ttyX", folder=tmp_path / "none"))
     window.until(lambda: window.client.phase == "gone")
-    assert window.client.error.code == "desk-start" and "none" in str(window.client.error)
+    assert window.client.error.code == "service-start" and "none" in str(window.client.error)
 
 
 @pytest.mark.slow
-def test_killed_desk_is_lost_with_its_position(table, tmp_path):
+def test_killed_service_is_lost_with_its_position(table, tmp_path):
     window = Window(ConnectionClient.launch(table, folder=tmp_path))
     window.until(lambda: window.client.phase == "connected")
     os.kill(process_of(window.client.session_file), signal.SIGKILL)
     window.until(lambda: window.client.phase == "gone")
-    assert window.client.error.code == "desk-lost" and "position is unknown" in str(window.client.error)
+    assert window.client.error.code == "service-lost" and "position is unknown" in str(window.client.error)
     assert running_services(tmp_path) == []
 
 
@@ -282,8 +282,8 @@ def test_sigterm_stops_the_job_safely(table, tmp_path):
 
 
 @pytest.mark.slow
-def test_no_call_waits_for_a_desk_that_stands_still(window):
-    """Stopped by SIGSTOP, a desk takes nothing and answers nothing; a window must not notice in its drawing."""
+def test_no_call_waits_for_a_service_that_stands_still(window):
+    """Stopped by SIGSTOP, a service takes nothing and answers nothing; a window must not notice in its drawing."""
     client, process = window.client, process_of(window.client.session_file)
     longest_s = 0.0
     os.kill(process, signal.SIGSTOP)
@@ -303,7 +303,7 @@ def test_no_call_waits_for_a_desk_that_stands_still(window):
 
 @pytest.mark.slow
 def test_window_that_was_frozen_for_long_is_let_in_again(window):
-    """The desk drops a client that does not read; the client comes back by itself and sees the present."""
+    """The service drops a client that does not read; the client comes back by itself and sees the present."""
     window.client._socket.close()
     window.look()
     window.until(lambda: window.client.phase == "connected")
@@ -313,7 +313,7 @@ def test_window_that_was_frozen_for_long_is_let_in_again(window):
 
 
 @pytest.mark.slow
-def test_desk_that_nobody_visits_ends_by_itself(table, tmp_path):
+def test_service_that_nobody_visits_ends_by_itself(table, tmp_path):
     window = Window(ConnectionClient.launch(table, folder=tmp_path))
     window.until(lambda: window.client.phase == "connected")
     begin_s = time.monotonic()
@@ -322,7 +322,7 @@ def test_desk_that_nobody_visits_ends_by_itself(table, tmp_path):
     assert 9.0 < time.monotonic() - begin_s < 20.0
 
 
-def test_file_that_nobody_holds_is_no_running_desk(tmp_path):
+def test_file_that_nobody_holds_is_no_running_service(tmp_path):
     path = new_session(tmp_path, SERVICE)
     owner = ProcessFile(path)
     owner.write({})
@@ -331,12 +331,12 @@ def test_file_that_nobody_holds_is_no_running_desk(tmp_path):
     assert running_services(tmp_path) == []
     client = ConnectionClient.attach(path)
     client.poll()
-    assert client.phase == "gone" and client.error.code == "desk-lost" and path.exists()
+    assert client.phase == "gone" and client.error.code == "service-lost" and path.exists()
     new_session(tmp_path, SERVICE)
     assert not path.exists()
 
 
-def test_desk_is_found_by_its_port(tmp_path):
+def test_service_is_found_by_its_port(tmp_path):
     path = tmp_path / f"a{SERVICE}"
     owner = ProcessFile(path)
     owner.write({"machine_port": "COM3"})

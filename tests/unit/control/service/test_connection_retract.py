@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Back along the cut in a job of a desk, judged by the machine's own trace, and what the desk knows afterwards."""
+"""Back along the cut in a job of a service, judged by the machine's own trace, and what it knows afterwards."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ PROGRAM = (
 )
 
 
-class DeskCut(Cut):
-    """The job of a `Cut`, run by a desk over its open link; `again` runs it once more."""
+class ServiceCut(Cut):
+    """The job of a `Cut`, run by a service over its open link; `again` runs it once more."""
 
     def __init__(self, folder: Path, program: str, **table: Any):
         super().__init__(folder, program, **table)
@@ -34,7 +34,7 @@ class DeskCut(Cut):
         write_job(self._job_file, self.job)
         self.sender = ConnectionService(
             "table",
-            job_file=folder / "desk.wire",
+            job_file=folder / "service.wire",
             opener=lambda name, baud: self.table,
             clock=self.table.clock,
             tell=self._on_message,
@@ -43,7 +43,7 @@ class DeskCut(Cut):
         )
 
     def visit(self, person: Callable[[], Person]) -> None:
-        """Let a person come once the desk is connected, who tells it to end."""
+        """Let a person come once the service is connected, who tells it to end."""
 
         def visit() -> Person:
             yield lambda: self.phase == "idle"
@@ -63,7 +63,7 @@ class DeskCut(Cut):
         yield lambda: len(self.outcomes) > before and self.phase == "idle"
 
 
-def moved(cut: DeskCut, ways: list[Callable[[Any], dict[str, Any]]]) -> Person:
+def moved(cut: ServiceCut, ways: list[Callable[[Any], dict[str, Any]]]) -> Person:
     """Hold now, and go each of these ways from where the tool then stands."""
     yield from cut.hold()
     for way in ways:
@@ -74,11 +74,11 @@ def moved(cut: DeskCut, ways: list[Callable[[Any], dict[str, Any]]]) -> Person:
 
 
 @pytest.mark.slow
-def test_way_back_and_forward_again_is_exact_in_a_job_of_the_desk(tmp_path: Path) -> None:
+def test_way_back_and_forward_again_is_exact_in_a_job_of_the_service(tmp_path: Path) -> None:
     line, rng = polyline(path_of(PROGRAM)), random.Random(8)
     begins_mm = [rng.uniform(-14.0, -6.0) for _ in range(2)]
     print("holds at", begins_mm)
-    cut = DeskCut(tmp_path, PROGRAM)
+    cut = ServiceCut(tmp_path, PROGRAM)
 
     def person() -> Person:
         yield lambda: cut.trace[-1][0] < begins_mm[0] and cut.trace[-1][2] < -4.9
@@ -101,8 +101,8 @@ def test_way_back_and_forward_again_is_exact_in_a_job_of_the_desk(tmp_path: Path
 
 
 @pytest.mark.slow
-def test_retreat_leaves_what_the_desk_knew_of_the_position(tmp_path: Path) -> None:
-    cut, known = DeskCut(tmp_path, PROGRAM), []
+def test_retreat_leaves_what_the_service_knew_of_the_position(tmp_path: Path) -> None:
+    cut, known = ServiceCut(tmp_path, PROGRAM), []
 
     def person() -> Person:
         yield lambda: cut.trace[-1][0] < -8.0
@@ -139,7 +139,7 @@ def test_job_that_was_stopped_may_run_again_from_the_same_zero(tmp_path: Path) -
     assert [outcome.kind for outcome in visit.outcomes] == [STOPPED, DONE]
 
 
-def test_desk_without_a_job_has_no_way_back(tmp_path: Path) -> None:
+def test_service_without_a_job_has_no_way_back(tmp_path: Path) -> None:
     visit = Visit(tmp_path)
 
     def person() -> Person:

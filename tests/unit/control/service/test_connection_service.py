@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A desk at the virtual grbl in simulated time: jogs, zero, homing, alarms, overrides, and jobs over its open link."""
+"""A service at the virtual grbl in simulated time: jogs, zero, homing, alarms, overrides, jobs over its open link."""
 
 from __future__ import annotations
 
@@ -41,10 +41,10 @@ def test_locked_machine_is_met_told_and_unlocked(tmp_path):
     seen = []
 
     def person():
-        seen.append(visit.desk.status())
+        seen.append(visit.service.status())
         visit.ask("unlock")
         yield visit.at("idle")
-        seen.append(visit.desk.status())
+        seen.append(visit.service.status())
 
     visit.receive(person)
     locked, free = seen
@@ -59,7 +59,7 @@ def test_machine_that_just_started_counts_from_where_it_stands(visit):
         "warning",
         "the controller restarted when its port was opened; it counts from its present position",
     ) in visit.told
-    assert visit.desk.status().position_known is False
+    assert visit.service.status().position_known is False
 
 
 def test_machine_that_moves_is_met_without_disturbing_it(visit):
@@ -73,16 +73,16 @@ def test_machine_that_moves_is_met_without_disturbing_it(visit):
     def person():
         seen.append((visit.phase, b"".join(data for _, data in visit.table.written)))
         yield visit.at("idle")
-        yield lambda: visit.desk.status().homing is not None  # its settings are read once it stands
+        yield lambda: visit.service.status().homing is not None  # its settings are read once it stands
 
     visit.receive(person)
     phase, written = seen[0]
     assert phase == "busy" and set(written) == set(b"?")
 
 
-def test_desk_told_to_end_while_it_connects_sends_nothing(visit):
-    visit.desk.stop()
-    visit.desk.run()
+def test_service_told_to_end_while_it_connects_sends_nothing(visit):
+    visit.service.stop()
+    visit.service.run()
     assert set(b"".join(data for _, data in visit.table.written)) <= set(b"?") and visit.table.closed
 
 
@@ -172,7 +172,7 @@ def test_held_jog_goes_on_evenly_and_brakes_at_once_when_let_go(visit):
     assert visit.table.sent(JOG_CANCEL)[0] - let_go_s < 0.003
     prepared_mm = 50 * 0.06  # grbl has steps for so long in hand
     assert at_release - at_rest < braking_mm + prepared_mm and later == at_rest
-    assert visit.refused == [] and visit.desk.status().machine_state == "Idle"
+    assert visit.refused == [] and visit.service.status().machine_state == "Idle"
 
 
 @pytest.mark.parametrize(("x", "feed_mm_min"), [(-1.0, 5000.0), (-1.0, 10.0), (-1.0, 99_999.0)])
@@ -212,7 +212,7 @@ def test_button_that_was_silent_must_be_pressed_anew(visit):
 
 
 def test_controller_left_alone_in_a_held_jog_stops_within_what_was_planned(visit):
-    """The desk itself dies: the lines that were sent must not lead far."""
+    """The service itself dies: the lines that were sent must not lead far."""
     places = []
 
     def person():
@@ -300,7 +300,7 @@ def test_zero_is_set_for_the_axes_asked_in_the_system_in_force(visit):
         visit.ask("set_zero", axes="xz")
         yield lambda: ("message", "zero of XZ set in G55") in visit.told
         yield 0.3
-        seen.append(visit.desk.status())
+        seen.append(visit.service.status())
 
     visit.receive(person)
     assert seen[0].wpos_mm == pytest.approx((0, -20, 0), abs=0.013)
@@ -315,7 +315,7 @@ def test_zero_of_two_axes_leaves_the_position_unknown(visit):
         yield lambda: ("message", "zero of XZ set in G54") in visit.told
 
     visit.receive(person)
-    assert visit.desk.status().position_known is False
+    assert visit.service.status().position_known is False
 
 
 def test_zero_of_all_axes_makes_the_position_known_also_with_offsets_in_the_way(visit):
@@ -323,7 +323,7 @@ def test_zero_of_all_axes_makes_the_position_known_also_with_offsets_in_the_way(
         visit.job("G92X7", "G43.1Z3", "G1X-10F2000")
         yield visit.ended()
         visit.ask("set_zero", axes="XYZ")
-        yield lambda: visit.desk.status().wpos_mm == (0, 0, 0) and visit.desk.status().position_known
+        yield lambda: visit.service.status().wpos_mm == (0, 0, 0) and visit.service.status().position_known
 
     visit.receive(person)
     assert visit.refused == []
@@ -337,7 +337,7 @@ def test_zero_is_set_where_reports_are_in_inches(tmp_path):
         yield visit.at("jogging")
         yield visit.at("idle")
         visit.ask("set_zero", axes="XYZ")
-        yield lambda: visit.desk.status().position_known is True
+        yield lambda: visit.service.status().position_known is True
 
     visit.receive(person)
     assert visit.refused == [] and visit.table.board.memory.places[54][0] == pytest.approx(-12.3, abs=0.013)
@@ -396,7 +396,7 @@ def test_homing_takes_its_time_and_makes_the_position_known(tmp_path):
 
     visit.receive(person)
     assert seen[0] > 2.0 and visit.refusals() == ["jog-state"]
-    assert visit.desk.status().position_known is True and ("message", "the machine is homed") in visit.told
+    assert visit.service.status().position_known is True and ("message", "the machine is homed") in visit.told
 
 
 def test_homing_can_be_stopped_and_costs_the_position(tmp_path):
@@ -408,10 +408,10 @@ def test_homing_can_be_stopped_and_costs_the_position(tmp_path):
         yield 0.5
         visit.ask("stop")
         yield visit.at("alarm")
-        yield lambda: "interrupted" in visit.desk.status().message
+        yield lambda: "interrupted" in visit.service.status().message
 
     visit.receive(person)
-    assert len(visit.table.sent(RESET)) == 1 and visit.desk.status().position_known is False
+    assert len(visit.table.sent(RESET)) == 1 and visit.service.status().position_known is False
 
 
 def test_homing_that_finds_no_switch_is_none_though_it_is_answered_ok(tmp_path):
@@ -426,7 +426,7 @@ def test_homing_that_finds_no_switch_is_none_though_it_is_answered_ok(tmp_path):
         yield 0.5
 
     visit.receive(person)
-    status = visit.desk.status()
+    status = visit.service.status()
     assert "found no limit switch" in status.message
     assert status.position_known is False and not status.homed
     assert ("message", "the machine is homed") not in visit.told
@@ -445,7 +445,7 @@ def test_homing_that_reached_the_machine_as_another_line_is_not_believed(tmp_pat
 
     visit.receive(person)
     assert visit.refusals() == ["homing-not-made"]
-    status = visit.desk.status()
+    status = visit.service.status()
     assert status.position_known is False and not status.homed
     assert ("message", "the machine is homed") not in visit.told
 
@@ -484,20 +484,20 @@ def test_jog_onto_a_switch_is_an_alarm_that_wants_a_reset_before_the_unlock(tmp_
         visit.ask("jog", x_mm=-300.0, feed_mm_min=5000.0)
         yield visit.at("alarm")
         yield 0.3
-        seen.append(visit.desk.status())
+        seen.append(visit.service.status())
         visit.ask("unlock")
         yield visit.at("idle")
 
     visit.receive(person)
     assert "limit switch" in seen[0].message and seen[0].pins == "X" and seen[0].position_known is False
-    assert len(visit.table.sent(RESET)) == 1 and visit.refused == [] and visit.desk.status().message == ""
+    assert len(visit.table.sent(RESET)) == 1 and visit.refused == [] and visit.service.status().message == ""
 
 
 def test_sleeping_machine_is_woken_and_unlocked(visit):
     def person():
         suspend.sleep(visit.table.board)
         yield visit.at("alarm")
-        assert "sleeps" in visit.desk.status().message
+        assert "sleeps" in visit.service.status().message
         visit.ask("unlock")
         yield visit.at("idle")
 
@@ -535,7 +535,7 @@ def test_jobs_run_one_after_another_over_one_link(visit):
     assert phases == ["running", "finishing", "done", "idle"] * 2
 
 
-def test_job_can_be_held_resumed_and_stopped_and_the_desk_stays(visit):
+def test_job_can_be_held_resumed_and_stopped_and_the_service_stays(visit):
     def person():
         visit.job(*SQUARE)
         yield visit.at("running")
@@ -606,7 +606,7 @@ def test_overrides_are_set_while_a_job_runs_and_shown(visit):
         for kind, step in (("feed", "1"), ("rapid", "25"), ("spindle", "-10"), ("spindle", "-1")):
             visit.ask("override", kind=kind, step=step)
             yield 0.05
-        yield lambda: visit.desk.status().overrides == (101, 25, 89)
+        yield lambda: visit.service.status().overrides == (101, 25, 89)
         visit.ask("override", kind="feed", step="7")
         yield visit.ended()
 
@@ -672,7 +672,7 @@ def test_zero_must_be_confirmed_whatever_the_file_says(visit, tmp_path):
     assert visit.outcomes[1].error.code == "zero-not-confirmed"
 
 
-def test_controller_reset_in_the_middle_costs_the_position_not_the_desk(visit):
+def test_controller_reset_in_the_middle_costs_the_position_not_the_service(visit):
     def person():
         visit.job(*SQUARE)
         yield visit.at("running")
@@ -686,20 +686,20 @@ def test_controller_reset_in_the_middle_costs_the_position_not_the_desk(visit):
     visit.receive(person)
     outcome = visit.outcomes[0]
     assert outcome.kind == FAILED and not outcome.position_known and "unknown" in outcome.text
-    assert visit.desk.status().position_known is False
+    assert visit.service.status().position_known is False
 
 
 def test_reset_button_at_rest_is_told_by_its_consequence(visit):
     def person():
         visit.ask("set_zero", axes="XYZ")
-        yield lambda: visit.desk.status().position_known is True
+        yield lambda: visit.service.status().position_known is True
         visit.table.board.receive(RESET)
-        yield lambda: visit.desk.status().position_known is False
+        yield lambda: visit.service.status().position_known is False
 
     visit.receive(person)
 
 
-def test_lost_link_ends_job_and_desk(visit):
+def test_lost_link_ends_job_and_service(visit):
     def person():
         visit.job(*SQUARE)
         yield visit.at("running")
@@ -711,7 +711,7 @@ def test_lost_link_ends_job_and_desk(visit):
     assert visit.outcomes[0].kind == FAILED and not visit.outcomes[0].position_known and visit.table.closed
 
 
-def test_controller_that_falls_silent_ends_the_desk(tmp_path):
+def test_controller_that_falls_silent_ends_the_service(tmp_path):
     visit = Visit(tmp_path, timing=Timing(answer_s=1.0))
 
     def person():
@@ -725,7 +725,7 @@ def test_controller_that_falls_silent_ends_the_desk(tmp_path):
 # --- the end ---------------------------------------------------------------------------------------
 
 
-def test_desk_ends_alone_but_not_while_a_job_runs(visit):
+def test_service_ends_alone_but_not_while_a_job_runs(visit):
     def person():
         visit.job(*SQUARE)
         yield visit.at("running")
@@ -736,10 +736,10 @@ def test_desk_ends_alone_but_not_while_a_job_runs(visit):
     assert visit.outcomes[0].done
 
 
-def test_desk_ends_alone_also_at_a_machine_in_check_mode(visit):
+def test_service_ends_alone_also_at_a_machine_in_check_mode(visit):
     def person():
         visit.table.board.state = State.CHECK
-        yield lambda: visit.desk.status().machine_state == "Check"
+        yield lambda: visit.service.status().machine_state == "Check"
         visit.alone_s = 60.0
         yield lambda: False
 
@@ -747,7 +747,7 @@ def test_desk_ends_alone_also_at_a_machine_in_check_mode(visit):
     assert visit.table.closed
 
 
-def test_desk_ends_alone_but_not_while_it_jogs(visit):
+def test_service_ends_alone_but_not_while_it_jogs(visit):
     def person():
         visit.ask("jog", x_mm=-30.0)
         yield visit.at("jogging")
@@ -841,10 +841,10 @@ def supply_lost_in_motion(visit):
 
 def greeting_at_rest(visit):
     visit.ask("set_zero", axes="XYZ")
-    yield lambda: visit.desk.status().position_known is True
+    yield lambda: visit.service.status().position_known is True
     yield 0.5
     visit.table.board.power_up()
-    yield lambda: visit.desk.status().position_known is False
+    yield lambda: visit.service.status().position_known is False
 
 
 @pytest.mark.slow
@@ -908,4 +908,4 @@ def test_controller_that_restarts_while_a_job_asks_it_takes_no_job_before_its_ze
     restarted, after = visit.outcomes
     assert restarted.kind == after.kind == REFUSED
     assert restarted.error.code == "controller-restarted" and not restarted.position_known
-    assert after.error.code == "position-unknown" and visit.desk.status().position_known is False
+    assert after.error.code == "position-unknown" and visit.service.status().position_known is False

@@ -30,10 +30,10 @@ def send(visit: Visit, tmp_path, lines=MOVES, name: str = "send", **job) -> None
 
 def test_restarted_machine_is_sent_to_from_its_confirmed_place_and_is_known_then(visit, tmp_path):
     def person():
-        assert visit.desk.status().position_known is False
+        assert visit.service.status().position_known is False
         send(visit, tmp_path)
         yield visit.ended(1)
-        assert visit.desk.status().position_known is True
+        assert visit.service.status().position_known is True
         send(visit, tmp_path)  # it stands at Y-1 now
         yield visit.ended(2)
 
@@ -71,7 +71,7 @@ def test_restarted_machine_with_an_older_zero_is_refused_and_stays_unknown(visit
     def person():
         send(visit, tmp_path)
         yield visit.ended(1)
-        assert visit.desk.status().position_known is False
+        assert visit.service.status().position_known is False
 
     visit.receive(person)
     assert "G54 was set before" in visit.outcomes[0].text
@@ -86,7 +86,7 @@ def test_job_that_homes_first_frees_a_locked_machine(tmp_path):
         send(visit, tmp_path, home_first=True)
         yield lambda: bool(visit.outcomes)
         yield visit.at("idle")
-        assert visit.desk.status().homed is True and visit.desk.status().position_known is True
+        assert visit.service.status().homed is True and visit.service.status().position_known is True
 
     visit.receive(person)
     assert visit.outcomes[0].kind == DONE and ("message", "the machine finds its own zero") in visit.told
@@ -105,7 +105,7 @@ def test_homing_that_is_stopped_before_a_job_leaves_the_position_unknown(tmp_pat
         assert kept.trust == LOST
         visit.ask("stop")
         yield lambda: bool(visit.outcomes)
-        assert visit.desk.status().position_known is False
+        assert visit.service.status().position_known is False
 
     visit.receive(person)
     assert not visit.outcomes[0].done and not visit.outcomes[0].position_known
@@ -117,7 +117,7 @@ def test_homing_that_is_not_enabled_costs_nothing(visit, tmp_path):
         visit.ask("set_zero", axes="XYZ")
         send(visit, tmp_path, home_first=True)
         yield visit.ended(1)
-        assert visit.desk.status().position_known is True
+        assert visit.service.status().position_known is True
 
     visit.receive(person)
     assert visit.outcomes[0].kind == REFUSED and visit.outcomes[0].error.code == "grbl-error-5"

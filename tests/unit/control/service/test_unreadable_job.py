@@ -72,7 +72,7 @@ def test_a_private_copy_whose_time_stamp_changes_is_cut_to_its_end(tmp_path: Pat
     def person():
         visit.job(*LINES)
         yield visit.at("running")
-        os.utime(tmp_path / "desk ç.wire")
+        os.utime(tmp_path / "service ç.wire")
         yield visit.ended()
 
     visit.receive(person)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the work zero is, as a desk tells it, and when that is a place on the table."""
+"""Where the work zero is, as a service tells it, and when that is a place on the table."""
 
 from __future__ import annotations
 
@@ -58,18 +58,18 @@ def test_a_status_keeps_its_zero_on_its_way() -> None:
 
 @pytest.mark.slow
 def test_homing_gives_the_place_and_a_new_zero_moves_it(visit: Visit) -> None:
-    seen: list[Start | None] = [start_of(visit.desk.status())]
+    seen: list[Start | None] = [start_of(visit.service.status())]
 
     def person():
-        seen.append(start_of(visit.desk.status()))
+        seen.append(start_of(visit.service.status()))
         yield from home(visit)
-        seen.append(start_of(visit.desk.status()))
+        seen.append(start_of(visit.service.status()))
         visit.ask("jog", x_mm=-20.0)
         yield visit.at("jogging")
         yield visit.at("idle")
         visit.ask("set_zero", axes="XYZ")
-        yield lambda: start_of(visit.desk.status()) != seen[-1]
-        seen.append(start_of(visit.desk.status()))
+        yield lambda: start_of(visit.service.status()) != seen[-1]
+        seen.append(start_of(visit.service.status()))
 
     visit.receive(person)
     assert seen[:2] == [None, None]
@@ -91,10 +91,10 @@ def test_a_zero_in_inches_is_told_in_mm(tmp_path: Path) -> None:
         visit.ask("jog", x_mm=-25.4)
         yield visit.at("jogging")
         yield visit.at("idle")
-        before = start_of(visit.desk.status())
+        before = start_of(visit.service.status())
         visit.ask("set_zero", axes="XYZ")
-        yield lambda: start_of(visit.desk.status()) != before
-        visit_seen.append(start_of(visit.desk.status()))
+        yield lambda: start_of(visit.service.status()) != before
+        visit_seen.append(start_of(visit.service.status()))
 
     visit.receive(person)
     assert visit_seen[0] is not None
@@ -109,8 +109,8 @@ def test_a_program_that_sets_the_zero_is_read_back(visit: Visit) -> None:
         yield from home(visit)
         visit.job("G10L2P1X-33", "G55")
         yield visit.ended()
-        yield lambda: (visit.desk.status().work_offsets_mm or {})["G54"][0] == -33
-        seen.append(start_of(visit.desk.status()))
+        yield lambda: (visit.service.status().work_offsets_mm or {})["G54"][0] == -33
+        seen.append(start_of(visit.service.status()))
 
     visit.receive(person)
     assert seen[0] is not None and seen[0].work_system == "G55"
@@ -122,8 +122,8 @@ def test_a_machine_without_switches_never_has_a_place(tmp_path: Path) -> None:
 
     def person():
         visit.ask("set_zero", axes="XYZ")
-        yield lambda: visit.desk.status().position_known is True
-        seen.append(visit.desk.status())
+        yield lambda: visit.service.status().position_known is True
+        seen.append(visit.service.status())
 
     visit.receive(person)
     assert seen[0].work_offsets_mm and seen[0].homed is False and start_of(seen[0]) is None
@@ -136,8 +136,8 @@ def test_an_unlocked_machine_has_no_place(visit: Visit) -> None:
         visit.ask("unlock")
         yield visit.at("idle")
         visit.ask("set_zero", axes="XYZ")
-        yield lambda: visit.desk.status().position_known is True
-        seen.append(visit.desk.status())
+        yield lambda: visit.service.status().position_known is True
+        seen.append(visit.service.status())
 
     visit.receive(person)
     assert start_of(seen[0]) is None
@@ -154,10 +154,10 @@ def test_a_stopped_job_keeps_the_place_and_a_reset_board_loses_it(visit: Visit) 
         yield 0.5
         visit.ask("stop")
         yield visit.ended()
-        seen.append(visit.desk.status().homed)
+        seen.append(visit.service.status().homed)
         visit.table.board.reset()
-        yield lambda: visit.desk.status().homed is False
-        seen.append(visit.desk.status().homed)
+        yield lambda: visit.service.status().homed is False
+        seen.append(visit.service.status().homed)
 
     visit.receive(person)
     assert seen == [True, False]

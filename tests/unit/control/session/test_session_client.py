@@ -82,12 +82,12 @@ def test_a_port_that_ones_own_job_has_is_refused_with_its_name(untouched, tmp_pa
     session = client.session_file.stem
     with pytest.raises(MachineRefusal, match=rf"held by a job of yours.*paused.*cncstepper back --session {session}"):
         check_free(server.url, folder)
-    desk = ConnectionClient.launch(server.url, folder=folder)
+    service = ConnectionClient.launch(server.url, folder=folder)
     end_s = time.monotonic() + LIMIT_S
-    while desk.phase != "gone" and time.monotonic() < end_s:
-        desk.poll()
+    while service.phase != "gone" and time.monotonic() < end_s:
+        service.poll()
         time.sleep(0.01)
-    assert desk.error and desk.error.code == "port-held"
+    assert service.error and service.error.code == "port-held"
     check_free(server.url, tmp_path)
     check_free("COM3", folder)
 

@@ -91,7 +91,7 @@ def test_restoring_writes_what_differs_and_reads_it_back(tmp_path: Path) -> None
     assert visit.lines == ["$22=1", "$20=1", "$100=157.575", "$110=3000"], "homing before the soft limits"
     assert visit.answers == ["ok"] * 4
     check_restored(visit.read[-1], visit.lines, visit.wanted)
-    assert visit.desk.status().position_known is False, "with other steps the position means something else"
+    assert visit.service.status().position_known is False, "with other steps the position means something else"
     assert restore_lines(visit.read[-1], visit.wanted) == []
     back = restore_lines(visit.read[-1], TABLE)
     assert back[-1] == "$22=0"

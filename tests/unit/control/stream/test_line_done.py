@@ -30,7 +30,7 @@ def test_line_done_is_the_one_behind_the_tool(tmp_path, firmware):
         visit.ask("hold")
         yield visit.at("held")
         yield 0.5
-        seen.append((visit.table.x_mm(), visit.desk.status()))
+        seen.append((visit.table.x_mm(), visit.service.status()))
         visit.ask("resume")
         yield visit.ended()
 
@@ -49,7 +49,7 @@ def test_all_before_a_pause_is_done(tmp_path):
         visit.job(*LINES[:9], "M0", *LINES[9:12])
         yield visit.at("paused")
         yield 0.5
-        seen.append(visit.desk.status().file_line)
+        seen.append(visit.service.status().file_line)
         visit.ask("resume")
         yield visit.ended()
 
@@ -62,7 +62,7 @@ def test_where_the_path_is_not_known_only_lines_that_left_the_planner_are_done(t
     passed = []
 
     def look(data: bytes) -> None:
-        status = visit.desk.status()
+        status = visit.service.status()
         passed.append((max(lines_passed(visit.table.x_mm())), status.file_line, status.acknowledged))
 
     def person():
@@ -85,7 +85,7 @@ def test_remaining_time_goes_by_what_is_cut(tmp_path):
     def person():
         visit.job(*LINES, plan=[[number, 0.05 * number] for number in range(1, len(LINES) + 1)])
         yield lambda: visit.table.x_mm() < -30.4
-        seen.append((visit.table.x_mm(), visit.desk.status()))
+        seen.append((visit.table.x_mm(), visit.service.status()))
         yield visit.ended()
 
     visit.receive(person)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who answers to a stand that is over lets nothing go on, at a desk with a virtual table in simulated time."""
+"""Who answers to a stand that is over lets nothing go on, at a service with a virtual table in simulated time."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def visit(tmp_path):
 
 
 def stand(visit: Visit) -> int:
-    return visit.desk.status().stand
+    return visit.service.status().stand
 
 
 def test_each_stand_has_its_number_and_only_the_present_one_can_be_answered():
@@ -55,9 +55,9 @@ def test_answer_to_a_hold_does_not_end_the_pause_that_came_after_it(visit):
         yield visit.at("paused")
         visit.ask("resume", stand=seen[0])
         yield lambda: bool(visit.refused)
-        seen.append((visit.phase, visit.desk.status().message))
+        seen.append((visit.phase, visit.service.status().message))
         visit.ask("resume", stand=stand(visit))
-        yield lambda: visit.desk.status().message == "change to tool 2"
+        yield lambda: visit.service.status().message == "change to tool 2"
         visit.ask("resume", stand=stand(visit) - 1)
         yield lambda: len(visit.refused) == 2
         visit.ask("resume", stand=stand(visit))
@@ -96,12 +96,12 @@ def test_outputs_that_return_after_a_door_are_no_new_stand(visit):
         visit.job("G21G90G94", "M3S9000", "G4P0.5", "G1X-40F1500")
         yield lambda: visit.table.x_mm() < -2.0
         visit.table.board.press(DOOR)
-        yield lambda: visit.desk.status().machine_state == "Door:1"
+        yield lambda: visit.service.status().machine_state == "Door:1"
         number = stand(visit)
         visit.table.board.release(DOOR)
-        yield lambda: visit.desk.status().machine_state == "Door:0"
+        yield lambda: visit.service.status().machine_state == "Door:0"
         visit.ask("resume", stand=number)
-        yield lambda: visit.desk.status().machine_state == "Door:3"
+        yield lambda: visit.service.status().machine_state == "Door:3"
         yield 0.3
         restoring.append((visit.phase, stand(visit) - number))
         yield visit.ended()

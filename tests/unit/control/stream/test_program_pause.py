@@ -39,7 +39,7 @@ def jogged(visit: Visit, **way: float):
     """Jog once and wait for its end."""
     visit.ask("jog", **way)
     yield lambda: visit.table.board.state is State.JOG
-    yield lambda: visit.desk.status().machine_state == "Idle" and visit.table.board.state is State.IDLE
+    yield lambda: visit.service.status().machine_state == "Idle" and visit.table.board.state is State.IDLE
 
 
 # --- the way back ----------------------------------------------------------------------------------
@@ -65,7 +65,7 @@ def test_job_without_anybody_at_its_pause_goes_on_where_it_was(visit):
     def person():
         visit.job(*CHANGE, messages=WORDS)
         yield visit.at("paused")
-        assert visit.desk.status().machine_state == "Idle" and visit.desk.status().message == "change to tool 2"
+        assert visit.service.status().machine_state == "Idle" and visit.service.status().message == "change to tool 2"
         assert visit.table.board.state is State.IDLE and visit.table.board.axes.idle
         visit.ask("resume")
         yield visit.ended()
@@ -140,7 +140,7 @@ def test_way_back_can_be_held_and_taken_up_again(visit):
         visit.ask("resume")
         yield lambda: visit.table.x_mm() < -8
         visit.ask("hold")
-        yield lambda: visit.desk.status().machine_state == "Idle"
+        yield lambda: visit.service.status().machine_state == "Idle"
         assert visit.phase == "paused" and -20 < visit.table.x_mm() < -8
         visit.ask("resume")
         yield visit.ended()
@@ -204,7 +204,7 @@ def test_pause_within_a_line_is_the_controllers_own(visit):
     def person():
         visit.job("G21G90G94", "G1X-5F1500M0", "G1X-6", "M2")
         yield visit.at("paused")
-        assert visit.desk.status().machine_state == "Hold:0"
+        assert visit.service.status().machine_state == "Hold:0"
         visit.ask("jog", x_mm=1.0)
         yield lambda: bool(visit.refused)
         visit.ask("resume")
@@ -264,10 +264,10 @@ def test_time_at_a_stand_does_not_count_as_cutting(visit):
         visit.job(*CHANGE)
         yield visit.at("paused")
         yield 1.0
-        remaining_s.append(visit.desk.status().remaining_s)
+        remaining_s.append(visit.service.status().remaining_s)
         yield from jogged(visit, x_mm=5.0)
         yield 10.0
-        remaining_s.append(visit.desk.status().remaining_s)
+        remaining_s.append(visit.service.status().remaining_s)
         visit.ask("resume")
         yield visit.ended()
 
@@ -275,7 +275,7 @@ def test_time_at_a_stand_does_not_count_as_cutting(visit):
     assert visit.outcomes[0].kind == DONE and remaining_s[0] == remaining_s[1] > 0
 
 
-def test_desk_without_a_job_goes_nowhere_line_by_line(visit):
+def test_service_without_a_job_goes_nowhere_line_by_line(visit):
     def person():
         visit.ask("by_line", on=True)
         yield lambda: bool(visit.refused)
@@ -295,9 +295,9 @@ def test_each_resume_sends_one_line_and_waits_until_it_is_done(visit):
         visit.job(*lines, by_line=True)
         for _ in lines:
             yield visit.at("paused")
-            seen.append((visit.desk.status().message, round(visit.table.x_mm(), 2)))
+            seen.append((visit.service.status().message, round(visit.table.x_mm(), 2)))
             visit.ask("resume")
-            yield lambda: visit.phase != "paused" or visit.desk.status().message != seen[-1][0]
+            yield lambda: visit.phase != "paused" or visit.service.status().message != seen[-1][0]
         yield visit.ended()
 
     visit.receive(person)
@@ -334,7 +334,7 @@ def test_stepping_can_begin_and_end_in_the_middle(visit):
         yield lambda: visit.table.x_mm() < -3
         visit.ask("by_line", on=True)
         yield visit.at("paused")
-        seen.append(visit.desk.status().sent)
+        seen.append(visit.service.status().sent)
         visit.ask("by_line", on=False)
         visit.ask("resume")
         yield visit.ended()

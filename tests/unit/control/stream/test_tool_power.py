@@ -51,7 +51,7 @@ def machine_with(**changes) -> Machine:
 
 
 def place(visit: Visit) -> tuple[str, int]:
-    return visit.phase, visit.desk.status().sent
+    return visit.phase, visit.service.status().sent
 
 
 def run(visit: Visit, *lines: str, jogs: bool = True, **job) -> Trace:
@@ -68,7 +68,7 @@ def run(visit: Visit, *lines: str, jogs: bool = True, **job) -> Trace:
             if jogs:
                 visit.ask("jog", x_mm=2.0, z_mm=1.0)
                 yield lambda: visit.table.board.state is State.JOG
-                yield lambda: visit.desk.status().machine_state in ("Idle", "Tool")
+                yield lambda: visit.service.status().machine_state in ("Idle", "Tool")
             here = place(visit)
             visit.ask("resume")
             yield lambda here=here: place(visit) != here

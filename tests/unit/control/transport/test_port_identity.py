@@ -397,9 +397,9 @@ def test_a_damaged_list_of_boards_homed_since_says_nothing(tmp_path, plugged, kn
 
 
 @pytest.mark.parametrize(
-    ("folder", "find"), [("one.session", session_at), ("one.desk", service_at)], ids=["session", "desk"]
+    ("folder", "find"), [("one.session", session_at), ("one.service", service_at)], ids=["session", "service"]
 )
-def test_sessions_and_desks_are_found_by_any_name(tmp_path, folder, find, plugged):
+def test_sessions_and_services_are_found_by_any_name(tmp_path, folder, find, plugged):
     running = ProcessFile(tmp_path / folder)
     running.write({"machine_port": "socket://localhost:2217", "port": 9, "token": ""})
     assert find("socket://127.0.0.1:2217", tmp_path) == tmp_path / folder

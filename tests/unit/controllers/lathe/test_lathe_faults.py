@@ -17,7 +17,7 @@ import pytest
 
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE, FAILED, STOPPED, Outcome
-from helpers.controllers.lathe_desk import Killed, LatheDesk, sent
+from helpers.controllers.lathe_link import Killed, LatheLink, sent
 
 RUNS = max(20, int(os.environ.get("CNCSTEPPER_FAULT_RUNS", "0")) // 10)
 KINDS = ("cable", "sender", "controller", "late", "spoiled", "stop")
@@ -54,32 +54,32 @@ def one_run(seed: int, kind: str) -> str:
     """Run with one fault, judge it, and complete the part; return how the session ended."""
     random = Random(f"lathe {seed}")
     program, end_mm = program_of(random)
-    at_s, desk, told = random.uniform(1.0, 6.0), LatheDesk(), []
-    desk.sender_killed_s = at_s if kind == "sender" else inf
-    desk.controller_killed_s = at_s if kind == "controller" else inf
+    at_s, link, told = random.uniform(1.0, 6.0), LatheLink(), []
+    link.sender_killed_s = at_s if kind == "sender" else inf
+    link.controller_killed_s = at_s if kind == "controller" else inf
     if kind == "late":
-        desk.starved_s = (at_s, at_s + random.uniform(0.1, 3.0))
+        link.starved_s = (at_s, at_s + random.uniform(0.1, 3.0))
     if kind == "spoiled":
-        spoil(desk, at_s)
+        spoil(link, at_s)
     stop_s = {"stop": at_s, "spoiled": at_s + SEES_S}.get(kind, inf)
     asked: list[float] = []
 
     def during(time_s: float, sender: Sender) -> None:
-        desk.bench.judge.is_cut = desk.bench.judge.is_cut or (kind == "cable" and time_s >= at_s)
+        link.bench.judge.is_cut = link.bench.judge.is_cut or (kind == "cable" and time_s >= at_s)
         if time_s >= stop_s and not asked:
             asked.append(time_s)
             sender.stop()
 
     outcome: Outcome | None = None
     try:
-        _, outcome = sent(program, told, during, desk)
+        _, outcome = sent(program, told, during, link)
     except Killed:
-        desk.bench.board.close()  # what the controller's process does when its input closes
+        link.bench.board.close()  # what the controller's process does when its input closes
     where = f"seed {seed} ({kind}): {outcome.text if outcome else 'killed'}; {told}"
-    left_s = check_rest(desk, where)
+    left_s = check_rest(link, where)
     if outcome and outcome.kind == DONE:
-        assert desk.bench.judge.mm == pytest.approx(end_mm, abs=SAID_MM) or kind == "spoiled", where
-        assert kind == "spoiled" or not desk.bench.judge.faults, where
+        assert link.bench.judge.mm == pytest.approx(end_mm, abs=SAID_MM) or kind == "spoiled", where
+        assert kind == "spoiled" or not link.bench.judge.faults, where
     elif outcome and left_s > 1.0:
         found = RUNS_ON.search(outcome.text)
         assert found and abs(float(found[1]) - left_s) < SAID_S, f"{where}; left {left_s}"
@@ -89,13 +89,13 @@ def one_run(seed: int, kind: str) -> str:
     return outcome.kind if outcome else "killed"
 
 
-def spoil(desk: LatheDesk, at_s: float) -> None:
+def spoil(link: LatheLink, at_s: float) -> None:
     """Let one byte of what is sent from a time on reach the lathe as another."""
-    judge = desk.bench.judge
+    judge = link.bench.judge
     let_pass, spoiled = judge.write, []
 
     def write(data: bytes) -> None:
-        if desk.time_s >= at_s and not spoiled and (digits := re.search(rb"[0-9]", data)):
+        if link.time_s >= at_s and not spoiled and (digits := re.search(rb"[0-9]", data)):
             spoiled.append(digits.start())
             data = data[: digits.start()] + b"7" + data[digits.end() :]
         let_pass(data)
@@ -103,11 +103,11 @@ def spoil(desk: LatheDesk, at_s: float) -> None:
     judge.write = write
 
 
-def check_rest(desk: LatheDesk, where: str) -> float:
+def check_rest(link: LatheLink, where: str) -> float:
     """Assert that nothing moves any more once the lathe has done what it has; return how long it ran on, s."""
-    bench = desk.bench
+    bench = link.bench
     left_s = max(0.0, bench.judge.free_s - bench.time_s)
-    is_alive = desk.time_s < desk.controller_killed_s
+    is_alive = link.time_s < link.controller_killed_s
     bench.time_s += 0.0 if is_alive else left_s
     if is_alive:
         bench.wait(left_s + 0.1, 0.02)

@@ -14,15 +14,15 @@ from CNCStepper.control.protocol.grbl.driver import Grbl
 from CNCStepper.control.protocol.grbl.timeouts import Timing
 from CNCStepper.control.service.sender import Sender
 from CNCStepper.control.session.status import DONE, REFUSED, STOPPED
-from helpers.controllers.lathe_desk import LatheDesk, sent
+from helpers.controllers.lathe_link import LatheLink, sent
 
 PUBLISHED = "N30 G01X-1. F1. # N40 Z-5. # N50 X5000 Z5. F2.0 #\nG00 X-.5 #\nM02 #\n"
 
 
 def test_a_job_is_cut_to_its_end_on_its_path() -> None:
     told: list[str] = []
-    desk, outcome = sent(PUBLISHED, told)
-    judge = desk.bench.judge
+    link, outcome = sent(PUBLISHED, told)
+    judge = link.bench.judge
     assert outcome.kind == DONE, outcome.text
     assert judge.mm == (-1.0, 0.0) and judge.faults == [] and judge.sent.endswith(b"M02#?")
     assert not any("not compared with the path" in text for text in told), told
@@ -51,13 +51,13 @@ def test_a_stop_sends_nothing_more_and_says_that_the_lathe_runs_on() -> None:
             stopped.append(time_s)
             sender.stop()
 
-    desk, outcome = sent("G01 Z-1. F1. # Z-1. # Z-1. #\n" * 10, told, stop)
+    link, outcome = sent("G01 Z-1. F1. # Z-1. # Z-1. #\n" * 10, told, stop)
     assert outcome.kind == STOPPED and stopped
     assert any("the lathe cannot be stopped over its link: it runs on for" in text for text in told)
-    x, z = desk.bench.judge.mm
-    desk.bench.wait(5.0)
-    assert desk.bench.judge.mm == (x, z) and -7.0 < z < -2.0
-    assert desk.bench.board.places_mm[2] == pytest.approx(z)
+    x, z = link.bench.judge.mm
+    link.bench.wait(5.0)
+    assert link.bench.judge.mm == (x, z) and -7.0 < z < -2.0
+    assert link.bench.board.places_mm[2] == pytest.approx(z)
 
 
 def test_an_outcome_says_how_long_a_long_cut_still_takes() -> None:
@@ -69,29 +69,29 @@ def test_an_outcome_says_how_long_a_long_cut_still_takes() -> None:
             asked.append(time_s)
             sender.stop()
 
-    desk, outcome = sent("G01 Z-60. F1. #\nG01 Z60. F1. #\n", told, stop)
-    left_s = 60.0 - (desk.clock() - desk.begin_s)
+    link, outcome = sent("G01 Z-60. F1. #\nG01 Z60. F1. #\n", told, stop)
+    left_s = 60.0 - (link.clock() - link.begin_s)
     assert outcome.kind == STOPPED and not outcome.position_known and 20.0 < left_s < 50.0
     found = re.search(r"cannot be stopped.*it runs on for (\d+) s", outcome.text)
     assert found and float(found[1]) == pytest.approx(left_s, abs=3.0), outcome.text
-    desk.bench.board.come_to_rest()
-    assert desk.bench.judge.mm == (0.0, -60.0) and b"Z60" not in desk.bench.judge.sent
+    link.bench.board.come_to_rest()
+    assert link.bench.judge.mm == (0.0, -60.0) and b"Z60" not in link.bench.judge.sent
 
 
 def test_another_language_is_refused_before_the_first_byte() -> None:
     told: list[str] = []
-    desk = LatheDesk()
+    link = LatheLink()
     job = SendJob("lathe", ["G1X1F100"], zero_confirmed=True, dialect="grbl")
-    sender = Sender(job, opener=lambda name, baud: desk, clock=desk.clock)
+    sender = Sender(job, opener=lambda name, baud: link, clock=link.clock)
     outcome = sender.run()
     assert outcome.kind == REFUSED and outcome.error and outcome.error.code == "dialect-differs" and not told
-    assert desk.bench.judge.sent == b""
+    assert link.bench.judge.sent == b""
 
 
 def test_the_zero_of_both_axes_is_set_by_hand_and_read_back() -> None:
-    desk = LatheDesk()
-    desk.bench.send("$J=G91X-2F120\n$J=G91Z3F120\n", 4.0)
-    driver = Grbl(desk, desk.clock)  # type: ignore[arg-type]
+    link = LatheLink()
+    link.bench.send("$J=G91X-2F120\n$J=G91Z3F120\n", 4.0)
+    driver = Grbl(link, link.clock)  # type: ignore[arg-type]
     assert handshake(driver, Timing()).firmware.key == "lathe"
     assert {"hold", "stop", "override", "resume"} <= driver.cannot
     assert set_zero(driver, "XYZ", Timing()) == "G54"

@@ -24,7 +24,7 @@ class Killed(BaseException):
     """The end of the sender's process."""
 
 
-class LatheDesk(Unqueued):
+class LatheLink(Unqueued):
     """A link to a board at a judge, in simulated time; during: called at each look with the time in s.
 
     sender_killed_s, controller_killed_s: when these processes end. starved_s: from when to when the controller's
@@ -84,10 +84,10 @@ class LatheDesk(Unqueued):
 
 
 def sent(
-    program: str, told: list[str], during: Callable[[float, Sender], None] | None = None, desk: LatheDesk | None = None
-) -> tuple[LatheDesk, Outcome]:
-    """Send a program; return its desk and the outcome. Raises Killed where the sender was killed."""
-    desk = desk or LatheDesk()
+    program: str, told: list[str], during: Callable[[float, Sender], None] | None = None, link: LatheLink | None = None
+) -> tuple[LatheLink, Outcome]:
+    """Send a program; return its link and the outcome. Raises Killed where the sender was killed."""
+    link = link or LatheLink()
     job = SendJob(
         "lathe",
         list(prepare(program, "mini-lathe").lines),
@@ -95,7 +95,7 @@ def sent(
         dialect="mini-lathe",
         expected=expected_settings(load_machine("mini-lathe")),
     )
-    sender = Sender(job, opener=lambda name, baud: desk, clock=desk.clock, tell=lambda kind, text: told.append(text))
+    sender = Sender(job, opener=lambda name, baud: link, clock=link.clock, tell=lambda kind, text: told.append(text))
     if during:
-        desk._during = lambda time_s: during(time_s, sender)
-    return desk, sender.run()
+        link._during = lambda time_s: during(time_s, sender)
+    return link, sender.run()
