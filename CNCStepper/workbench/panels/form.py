@@ -9,8 +9,9 @@ from typing import Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.features.base import INTEGER, NUMBERS, Property, value_of
-from CNCStepper.workbench.panels.fields import GAP_PX, NAME, Field, Remedy, field_class
+from CNCStepper.workbench.panels.fields import GAP_PX, NAME, Field, field_class
 from CNCStepper.workbench.panels.unit_values import text_of
+from CNCStepper.workbench.services.remedy_bar import Remedy
 from CNCStepper.workbench.services.translation import tr
 
 MOST_BESIDE_LABEL = 1  # of the lines of a field: more of them are too wide there in a narrow dock of a dark theme

@@ -40,7 +40,6 @@ from CNCStepper.workbench.panels.fields import (
     NAME,
     WARNING_COLOUR,
     Field,
-    RemedyBar,
     bring_into_view,
     note_label,
 )
@@ -54,6 +53,7 @@ from CNCStepper.workbench.services.jit_guard import LONG, WAITS
 from CNCStepper.workbench.services.message_translation import translated
 from CNCStepper.workbench.services.messages import guarded
 from CNCStepper.workbench.services.number_format import planned_text
+from CNCStepper.workbench.services.remedy_bar import RemedyBar
 from CNCStepper.workbench.services.translation import tr
 
 PAUSE_MS = 20  # between two keys of one that types fast

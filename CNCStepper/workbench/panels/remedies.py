@@ -20,10 +20,10 @@ from CNCStepper.workbench.document import default_values
 from CNCStepper.workbench.drawings.shapes import box_round, placed_shape
 from CNCStepper.workbench.features.base import JOB, edit, entry_of, value_of
 from CNCStepper.workbench.features.cycle_operation import jobs_of, linked_drawings
-from CNCStepper.workbench.panels.fields import Remedy
 from CNCStepper.workbench.panels.tools.tool_words import tool_words
 from CNCStepper.workbench.panels.unit_values import text_of
 from CNCStepper.workbench.services.choice_labels import words_of
+from CNCStepper.workbench.services.remedy_bar import Remedy
 from CNCStepper.workbench.services.translation import tr
 
 Limits = Sequence[tuple[str, float | None]]
@@ -101,6 +101,11 @@ def _value(obj: Any, key: str, value: float, take: Take) -> Remedy:
 
 
 def _fit_stock(job: Any, fitted: Callable[[], None]) -> None:
-    drawn = [placed_shape(drawing) for operation in job.Operations for drawing in linked_drawings(operation)]
-    edit(job, **default_values.stock_around(box_round([shape for shape in drawn if not shape.isNull()]), job))
+    edit(job, **fitting_stock(job))
     fitted()
+
+
+def fitting_stock(job: Any) -> dict[str, Any]:
+    """Return the values of a job with which its stock lies round the drawings of all of its operations."""
+    drawn = [placed_shape(drawing) for operation in job.Operations for drawing in linked_drawings(operation)]
+    return default_values.stock_around(box_round([shape for shape in drawn if not shape.isNull()]), job)
