@@ -2,11 +2,13 @@
 """Findings of a job about its own program: notes of its files, feeds out of range, warnings of its cycles.
 
 Cuts into a piece that an earlier contour has set free: nothing holds it any more.
+The contour that is to be cut last, so that there are none.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
 
 import shapely
 from shapely.geometry.base import BaseGeometry
@@ -18,6 +20,7 @@ from CNCStepper.errors import Place, Text
 from CNCStepper.geometry.shapely_polygons import polygons_of
 from CNCStepper.job.make import numbered
 from CNCStepper.job.model import Job
+from CNCStepper.job.stock_fit import drawn
 from CNCStepper.machine.profile import Machine
 from CNCStepper.machine.tools.tool_shapes import BEAMS
 from CNCStepper.simulation.checks.stock_checks import ON_EDGE_MM
@@ -36,7 +39,7 @@ def cuts_into_detached(
 
     first: how many of the job's operations come before those that answered.
     """
-    free = [(number, piece) for number, one in enumerate(job.operation, 1) if (piece := _freed(one, job)) is not None]
+    free = list(freed_pieces(job).items())
     for index, answer in enumerate(answers):
         number = first + index + 1
         wanted = wanted_area(answer)
@@ -51,6 +54,12 @@ def cuts_into_detached(
 def wanted_area(answer: Answer) -> BaseGeometry:
     """Return what an operation is to cut, as far as its tool reaches, seen from above."""
     return shapely.union_all([one.region if one.reachable is None else one.reachable for one in answer.removals])
+
+
+def freed_pieces(job: Job) -> dict[int, BaseGeometry]:
+    """Return the pieces that fall out of contours, by the number of the operation, from 1."""
+    found = {number: _freed(operation, job) for number, operation in enumerate(job.operation, 1)}
+    return {number: piece for number, piece in found.items() if piece is not None}
 
 
 def _freed(operation: Cycle, job: Job) -> BaseGeometry | None:
@@ -130,3 +139,40 @@ def _warnings(places: Sequence[Place], answers: Sequence[Answer], stock: Stock) 
             continue
         advice = "move the shape or the work zero, or take larger stock"
         yield Finding("warning", "beside-stock", place, "part of the drawn shape is beside the stock", advice)
+
+
+def safely_last(job: Job) -> int | None:
+    """Return the number from 1 of the contour that, cut last, leaves no cut near a piece that is free.
+
+    None where there is no such contour, or the last operation is it already.
+    """
+    pieces = freed_pieces(job)
+    for last in sorted(pieces, key=lambda number: -pieces[number].area):
+        order = [number for number in range(1, len(job.operation) + 1) if number != last] + [last]
+        if last != len(job.operation) and _is_safe(job, order, pieces):
+            return last
+    return None
+
+
+def _is_safe(job: Job, order: list[int], pieces: dict[int, BaseGeometry]) -> bool:
+    """Return whether, in an order, no operation comes near a piece that one before has set free."""
+    for place, number in enumerate(order):
+        behind = order[place + 1 :] if number in pieces else []
+        if any(_is_near(job, job.operation[each - 1], pieces[number]) for each in behind):
+            return False
+    return True
+
+
+def _is_near(job: Job, operation: Cycle, piece: BaseGeometry) -> bool:
+    """Return whether an operation may cut into a piece: it counts with the width of its tool around what is drawn."""
+    reach_mm = job.tools[operation.tool].diameter_mm + float(getattr(operation, "stock_to_leave_mm", 0.0))
+    lines: list[Any] = [_shape(points) for points in drawn(operation)]
+    if not lines:
+        return True
+    shape = shapely.union_all(lines)
+    shape = shape if isinstance(operation, ContourModel) else shape.convex_hull
+    return bool(shape.distance(piece) <= reach_mm)
+
+
+def _shape(points: Any) -> BaseGeometry:
+    return shapely.Point(points[0]) if len(points) < 2 else shapely.LineString(points)

@@ -5235,6 +5235,10 @@
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>Cut {0} last</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>Cutting</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13273,6 +13277,10 @@ the height</source>
             <translation type="unfinished"></translation>
         </message>
         <message>
+            <source>{0}, {1}: {2}</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
             <source>{0}. Now {1}</source>
             <translation type="unfinished"></translation>
         </message>
@@ -13302,6 +13310,10 @@ the height</source>
         </message>
         <message>
             <source>{0}: its operations are replaced</source>
+            <translation type="unfinished"></translation>
+        </message>
+        <message>
+            <source>{0}: take the feeds of the material</source>
             <translation type="unfinished"></translation>
         </message>
         <message>

@@ -5235,6 +5235,10 @@
             <translation>Corta o sólido em chapas e encaixa suas peças</translation>
         </message>
         <message>
+            <source>Cut {0} last</source>
+            <translation>Cortar {0} por último</translation>
+        </message>
+        <message>
             <source>Cutting</source>
             <translation>Corte</translation>
         </message>
@@ -13275,6 +13279,10 @@ altura</translation>
             <translation>{0}, retomada</translation>
         </message>
         <message>
+            <source>{0}, {1}: {2}</source>
+            <translation>{0}, {1}: {2}</translation>
+        </message>
+        <message>
             <source>{0}. Now {1}</source>
             <translation>{0}. Agora {1}</translation>
         </message>
@@ -13305,6 +13313,10 @@ altura</translation>
         <message>
             <source>{0}: its operations are replaced</source>
             <translation>{0}: as operações dele são trocadas</translation>
+        </message>
+        <message>
+            <source>{0}: take the feeds of the material</source>
+            <translation>{0}: usar os avanços do material</translation>
         </message>
         <message>
             <source>{0}: type a height and three diameters</source>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The findings of a proof as a list: a row has severity, line, text, value and limit."""
+"""The findings of a proof as a list: a row has severity, line, text, value and limit, and perhaps a button below."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from PySide import QtCore, QtGui
 
 from CNCStepper.workbench.services.message_translation import translated
+from CNCStepper.workbench.services.remedy_bar import Remedy, RemedyBar
 from CNCStepper.workbench.services.translation import later, tr
 
 if TYPE_CHECKING:
@@ -44,13 +45,34 @@ class FindingsList(QtGui.QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self._rows)
 
-    def show(self, findings: Sequence[Finding]) -> None:
-        """Show these findings in place of earlier ones; an empty list shows that there are none."""
+    def show(self, findings: Sequence[Finding], remedies: Sequence[Remedy | None] = ()) -> None:
+        """Show these findings in place of earlier ones; an empty list shows that there are none.
+
+        remedies: of each finding, or none for all of them.
+        """
         self._rows.blockSignals(True)
         self._rows.clear()
-        for row in [self._row(finding) for finding in findings] or [_nothing_found()]:
-            self._rows.addItem(row)
+        for finding, remedy in zip(findings, remedies or [None] * len(findings), strict=True):
+            self._rows.addItem(self._row(finding))
+            if remedy is not None:
+                self._add_button(remedy)
+        if not findings:
+            self._rows.addItem(_nothing_found())
         self._rows.blockSignals(False)
+
+    def withdraw_remedies(self) -> None:
+        """Take the buttons away: what they would change is not what was proven any more."""
+        for row in map(self._rows.item, range(self._rows.count())):
+            if self._rows.itemWidget(row) is not None:
+                row.setHidden(True)
+
+    def _add_button(self, remedy: Remedy) -> None:
+        row, bar = QtGui.QListWidgetItem(), RemedyBar(self._rows)
+        bar.show_remedies([remedy])
+        row.setFlags(QtCore.Qt.ItemFlag.ItemIsEnabled)
+        row.setSizeHint(bar.sizeHint())
+        self._rows.addItem(row)
+        self._rows.setItemWidget(row, bar)
 
     def _row(self, finding: Finding) -> Any:
         icon = self.style().standardIcon(getattr(QtGui.QStyle.StandardPixmap, ICONS[finding.severity]))

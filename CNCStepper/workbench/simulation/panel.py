@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from PySide import QtCore, QtGui
@@ -21,6 +21,7 @@ from CNCStepper.workbench.simulation.view_menu import DEPTH, ISOMETRIC, XY, ZY, 
 
 if TYPE_CHECKING:
     from CNCStepper.workbench.proving.proof_process import ProofResult, ProvenProgram
+    from CNCStepper.workbench.services.remedy_bar import Remedy
 
 BAR_PX = 12
 GAP_PX = 4
@@ -129,8 +130,17 @@ class SimulationPanel(QtGui.QWidget):
             self._content.deleteLater()
             self._content = None
 
-    def load_result(self, result: ProofResult, player: Player, height_range_mm: tuple[float, float]) -> Iterator[None]:
-        """Show what was proven, made a few ms at a time: run it on from a timer until it ends."""
+    def load_result(
+        self,
+        result: ProofResult,
+        player: Player,
+        height_range_mm: tuple[float, float],
+        remedies: Sequence[Remedy | None],
+    ) -> Iterator[None]:
+        """Show what was proven, made a few ms at a time: run it on from a timer until it ends.
+
+        remedies: what mends each finding.
+        """
         self.say("")
         self._content = QtGui.QWidget()
         layout = QtGui.QVBoxLayout(self._content)
@@ -143,7 +153,7 @@ class SimulationPanel(QtGui.QWidget):
         layout.addWidget(self._keep_button())
         layout.addWidget(self._restart_button())
         layout.addLayout(totals_grid(result))
-        self.findings.show(result.findings)
+        self.findings.show(result.findings, remedies)
         yield
         self.program.show_program(result.program_lines)
         yield

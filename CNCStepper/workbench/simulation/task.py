@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from CNCStepper.errors import CNCStepperError
     from CNCStepper.job.proof_folder import Part
     from CNCStepper.simulation.finding import Finding
+    from CNCStepper.workbench.services.remedy_bar import Remedy
     from CNCStepper.workbench.simulation.scene import Scene
 
 LOADS_S = 0.02  # of nodes at a time, and up to one bit more
@@ -154,7 +155,9 @@ class SimulationTask(ViewTask):
 
     def _rest_bit_by_bit(self, result: ProofResult, player: Player, scene: Scene) -> Iterator[None]:
         """Bring in path, tools and panel likewise, and stand at the end."""
-        yield from self.form.load_result(result, player, scene.height_range_mm)
+        remedies = self._remedies(result)
+        yield
+        yield from self.form.load_result(result, player, scene.height_range_mm, remedies)
         self.form.program.chosen.connect(messages.guarded(self._go_to_line))
         self.form.findings.chosen.connect(messages.guarded(self._go_to_finding))
         yield
@@ -164,6 +167,16 @@ class SimulationTask(ViewTask):
         self._material.moments.mesh.connect(messages.guarded(self._keep_mesh))
         player.moved.connect(messages.guarded(self._follow))
         player.stand_at_end()
+
+    def _remedies(self, result: ProofResult) -> list[Remedy | None]:
+        """Return what mends each finding; a program that has changed since is left to the next proof."""
+        from CNCStepper.workbench.simulation.finding_remedies import of_proof
+
+        return of_proof(self._job, result, self._prove_soon)
+
+    def _prove_soon(self) -> None:
+        """Prove anew, when the button that asks for it has been left."""
+        QtCore.QTimer.singleShot(0, messages.guarded(lambda: None if self._has_left else self.begin()))
 
     def _load_on(self) -> None:
         """Bring more in: some ms at a time, for the window is drawn after each, which may take longer."""
@@ -244,6 +257,7 @@ class SimulationTask(ViewTask):
 
     def _changed(self) -> None:
         if self._result is not None:
+            self.form.findings.withdraw_remedies()
             self.form.say(tr("The program has changed since: the view shows the earlier one."), again=True)
 
     def _deleted(self) -> None:
