@@ -153,4 +153,5 @@ def press(hand: Hand, task: Any, code: str) -> None:
     hand.main(show)
     hand.settle()
     hand.wait(lambda: cut_off() == [], 5, "a list of which nothing is cut off")
+    hand.shot(f"remedy-{code}")
     hand.click(BUTTON + code)
