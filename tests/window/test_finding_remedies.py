@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The buttons below the findings of a simulation, with a real mouse: pressed, proven again, undone."""
+"""The buttons below a simulation's findings on a small screen, with a real mouse: pressed, proven again, undone."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ import FreeCAD
 import Part
 import pytest
 from test_cycle_panels import cut_off
+from test_lathe import small_window  # noqa: F401
 from test_simulation_view import PROVEN_S, opened
 
 from CNCStepper.workbench import api
 from CNCStepper.workbench.proving.proof_process import ProofRun
+from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 
 BUTTON = "CNCStepper_Panel_remedy_"
@@ -110,6 +112,7 @@ def found(result: Any) -> set[tuple[str, str]]:
     return {(each.code, each.severity) for each in result.findings if each.severity != "info"}
 
 
+@pytest.mark.usefixtures("small_window")
 @pytest.mark.window("plain", "portuguese")
 @pytest.mark.parametrize("name", JOBS)
 def test_buttons_mend_findings_one_after_the_other(hand: Hand, name: str) -> None:
@@ -151,7 +154,17 @@ def press(hand: Hand, task: Any, code: str) -> None:
         rows.scrollToItem(row)
 
     hand.main(show)
+    hand.main(lambda: places.scroll_to(places.find(BUTTON + code)))
     hand.settle()
-    hand.wait(lambda: cut_off() == [], 5, "a list of which nothing is cut off")
     hand.shot(f"remedy-{code}")
+    hand.wait(lambda: cut_off() == [], 5, "a panel of which nothing is cut off")
+    assert hand.main(lambda: places.cut_texts(rows)) == []
+    assert hand.main(is_within, places.find(BUTTON + code), rows.viewport())
+    assert "\nmm" not in hand.text(BUTTON + code)
     hand.click(BUTTON + code)
+
+
+def is_within(button: Any, viewport: Any) -> bool:
+    """Return whether the list shows a button from its left to its right edge."""
+    left = button.mapTo(viewport, button.rect().topLeft()).x()
+    return bool(left >= 0 and left + button.width() <= viewport.width())

@@ -59,6 +59,12 @@ class FindingsList(QtGui.QWidget):
         if not findings:
             self._rows.addItem(_nothing_found())
         self._rows.blockSignals(False)
+        self._fit_buttons()
+
+    def resizeEvent(self, event: Any) -> None:
+        """Fit the buttons into the new width; Qt calls this."""
+        super().resizeEvent(event)
+        self._fit_buttons()
 
     def withdraw_remedies(self) -> None:
         """Take the buttons away: what they would change is not what was proven any more."""
@@ -70,9 +76,18 @@ class FindingsList(QtGui.QWidget):
         row, bar = QtGui.QListWidgetItem(), RemedyBar(self._rows)
         bar.show_remedies([remedy])
         row.setFlags(QtCore.Qt.ItemFlag.ItemIsEnabled)
-        row.setSizeHint(bar.sizeHint())
         self._rows.addItem(row)
         self._rows.setItemWidget(row, bar)
+
+    def _fit_buttons(self) -> None:
+        """Make no button wider than the list beside its scroll bar, for the list cannot be scrolled sideways."""
+        bar_px = self._rows.verticalScrollBar().sizeHint().width()
+        width_px = max(1, self.width() - 2 * self._rows.frameWidth() - bar_px)
+        for row in map(self._rows.item, range(self._rows.count())):
+            bar = self._rows.itemWidget(row)
+            if bar is not None:
+                bar.fit_width(width_px)
+                row.setSizeHint(QtCore.QSize(width_px, bar.sizeHint().height()))
 
     def _row(self, finding: Finding) -> Any:
         icon = self.style().standardIcon(getattr(QtGui.QStyle.StandardPixmap, ICONS[finding.severity]))

@@ -45,6 +45,16 @@ class RemedyBar(QtGui.QWidget):
                 self._column.addWidget(self._button(name, text))
         self.setVisible(bool(texts))
 
+    def fit_width(self, width_px: int) -> None:
+        """Break the texts of buttons that are wider than this into lines."""
+        for place, (_, text) in enumerate(self._shown):
+            button = self._column.itemAt(place).widget()
+            button.setText(text)
+            over_px = button.sizeHint().width() - width_px
+            if over_px > 0:
+                metrics = button.fontMetrics()
+                button.setText(_in_lines(text, metrics, metrics.horizontalAdvance(text) - over_px))
+
     def _button(self, name: str, text: str) -> Any:
         button = QtGui.QPushButton(text, self)
         button.setObjectName(f"CNCStepper_Panel_remedy_{name}")
@@ -53,3 +63,16 @@ class RemedyBar(QtGui.QWidget):
         button.setAutoDefault(False)
         button.clicked.connect(guarded(lambda: self._acts[name]()))
         return button
+
+
+def _in_lines(text: str, metrics: Any, width_px: int) -> str:
+    """Return a text with its words in lines that are no wider, where no single word is."""
+    first, *words = text.split(" ")
+    lines = [first]
+    for word in words:
+        longer = f"{lines[-1]} {word}"
+        if metrics.horizontalAdvance(longer) <= width_px:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return "\n".join(lines)

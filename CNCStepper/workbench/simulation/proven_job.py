@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from CNCStepper.machine.profile import Machine
     from CNCStepper.workbench.proving.proof_process import ProofResult
 
+NO_BREAK_SPACE = "\u00a0"
+
 
 @dataclass(frozen=True)
 class Change:
@@ -75,7 +77,10 @@ def has(obj: Any, key: str) -> bool:
 
 
 def change_of(obj: Any, key: str, new: Any) -> Change:
-    """Return the change of one value, said with the object's name and the label of the value."""
+    """Return the change of one value, said with the object's name and the label of the value.
+
+    A button may break that text into lines, but not between a number and its unit.
+    """
     entry = entry_of(obj.Proxy, key)
-    words = words_of(new, key) if isinstance(new, str) else text_of(new, entry)
+    words = words_of(new, key) if isinstance(new, str) else text_of(new, entry).replace(" ", NO_BREAK_SPACE)
     return Change(obj, {key: new}, tr("{0}, {1}: {2}").format(obj.Label, tr(entry.label), words))
