@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -28,15 +29,21 @@ from test_typing import draw
 from CNCStepper.workbench import api, editor, first_run, panels, restart
 from CNCStepper.workbench.assistant import open_assistant
 from CNCStepper.workbench.comparison import open_comparison
+from CNCStepper.workbench.dock.views.cut_dialog import CutChoice, CutDialog
 from CNCStepper.workbench.features.base import proxy_type
 from CNCStepper.workbench.first_run.tour import begin_tour
+from CNCStepper.workbench.help.window import open_help
 from CNCStepper.workbench.installation import open_installation
 from CNCStepper.workbench.letters import open_letters
 from CNCStepper.workbench.libraries import open_libraries
 from CNCStepper.workbench.machines import open_machines
+from CNCStepper.workbench.panels.shape_gallery import open_gallery
 from CNCStepper.workbench.part_records import open_part_records
 from CNCStepper.workbench.preferences.job_preferences import JobPreferences
+from CNCStepper.workbench.services.button_row import ButtonRow
 from CNCStepper.workbench.services.translation import tr
+from CNCStepper.workbench.templates.panel import open_template_panel
+from CNCStepper.workbench.templates.save_dialog import ask_to_save
 from window_helpers import screen_places as places
 from window_helpers.hand import Hand
 from window_helpers.task_panels import PANEL
@@ -45,6 +52,7 @@ SMALL_SCREEN = (1280, 690)  # pixels: 1280 × 720 with the window's frame
 FRAME_PX = 2  # of a theme that is put on while FreeCAD runs
 # A style sheet of FreeCAD 1.1 gives the letters of its windows a size of their own: they do not grow with Qt's.
 SCALES = (1.0, 1.25, 1.5, 2.0) if FreeCAD.Version()[1] == "20" else (1.0,)
+SIGN = Path(__file__).parents[2] / "examples" / "drawings" / "sign.svg"
 STYLE_SHEETS = Path(FreeCAD.getResourceDir()) / "Gui" / "Stylesheets"
 DARK = STYLE_SHEETS / "Dark-blue.qss"  # FreeCAD 1.1 has none of its kind that Qt reads as it is
 PLAIN_DARK = "QWidget { background-color: #232932; color: #e0e0e0; }"
@@ -54,8 +62,9 @@ TABBED = {"CNCStepper_Machines", "CNCStepper_Library"}
 def drawn_objects(document: Any) -> list[Any]:
     """Make what is drawn, placed and nested in a document."""
     shape, text = api.add_shape(document, "flange"), api.add_text(document, "Sign")
+    slices = api.add_slices(document, document.addObject("Part::Box", "Block"))
     document.recompute()
-    return [shape, text, api.add_nest(document, [shape])]
+    return [shape, text, slices, api.add_nest(document, [shape])]
 
 
 def every_object() -> list[Any]:
@@ -86,7 +95,22 @@ def preferences() -> Any:
     return page.form
 
 
+def cut_question() -> Any:
+    """Show how a G-code file is cut, on a table for two processes."""
+    dialog = CutDialog("peça.nc", ["plasma", "oxyfuel"], CutChoice("plasma", "mild-steel", 6.0, size_mm=(300.0, 200.0)))
+    dialog.show()
+    return dialog
+
+
+def name_of_a_template() -> Any:
+    ask_to_save(draw()["job"])
+    return places.find("CNCStepper_JobTemplate")
+
+
 WINDOWS: tuple[Callable[[], Any], ...] = (
+    open_help,
+    cut_question,
+    name_of_a_template,
     first_run.open_card,
     begin_tour,
     open_machines,
@@ -142,7 +166,9 @@ def grown(font: Any, scale: float) -> Any:
 
 
 # The longer texts in the wider theme; CNCSTEPPER_ALL_LOOKS adds the others, which take a minute more.
-LOOKS = [("pt-BR", "dark"), *([("English", ""), ("pt-BR", "")] if "CNCSTEPPER_ALL_LOOKS" in os.environ else [])]
+LOOKS = [("pt-BR", "dark")]
+if "CNCSTEPPER_ALL_LOOKS" in os.environ:
+    LOOKS += [("English", ""), ("English", "dark"), ("pt-BR", "")]
 
 
 @pytest.fixture(params=LOOKS, ids="-".join)
@@ -182,9 +208,13 @@ def sizes(hand: Hand) -> Iterator[Callable[[float], None]]:
 
 
 def cut_in_panel() -> list[str]:
-    """Return what the open panel cuts; as wide as FreeCAD's own OK and Cancel in its dark theme it may be."""
+    """Return what the open panel cuts."""
     heads = (each for each in places.all_widgets() if each.objectName().startswith(f"{PANEL}group_"))
-    area = places.area_around(next(each for each in heads if each.isVisible()))
+    return cut_beside_buttons(places.area_around(next(each for each in heads if each.isVisible())))
+
+
+def cut_beside_buttons(area: Any) -> list[str]:
+    """Return what a panel's area cuts; as wide as FreeCAD's own OK and Cancel in its dark theme it may be."""
     buttons = places.widgets_around(places.find(f"{PANEL}ok"))[2]
     own_px = buttons.minimumSizeHint().width() + 2 * buttons.x() + FRAME_PX
     return places.cut_texts(area, max(0, own_px - area.viewport().width()))
@@ -207,6 +237,27 @@ def test_no_panel_cuts_a_text(hand: Hand, looks: None, sizes: Callable[[float], 
     assert not found, "\n".join(found)
 
 
+def lines_of_buttons(width_px: int) -> list[list[str]]:
+    """Return the texts on a row of three buttons, line by line, when the row is so wide; none covers another."""
+    row = ButtonRow(None)
+    buttons = [row.add(QtGui.QPushButton(text)) for text in ("Add", "Take the selection", "Delete")]
+    row.resize(width_px, row.heightForWidth(width_px))
+    row.show()
+    assert places.narrower_than_their_text(row) == []
+    assert all(row.rect().contains(button.geometry()) for button in buttons)
+    assert not any(one.geometry().intersects(two.geometry()) for one, two in combinations(buttons, 2))
+    tops = sorted({button.y() for button in buttons})
+    lines = [[button.text() for button in buttons if button.y() == top] for top in tops]
+    row.deleteLater()
+    return lines
+
+
+def test_buttons_take_as_many_lines_as_they_need(hand: Hand) -> None:
+    assert hand.main(lines_of_buttons, 600) == [["Add", "Take the selection", "Delete"]]
+    assert hand.main(lines_of_buttons, 260) == [["Add", "Take the selection"], ["Delete"]]
+    assert hand.main(lines_of_buttons, 150) == [["Add"], ["Take the selection"], ["Delete"]]
+
+
 def test_no_dialog_cuts_a_text(hand: Hand, looks: None, sizes: Callable[[float], None]) -> None:
     found = []
     for name, window in every_dialog(hand):
@@ -223,7 +274,7 @@ def test_no_dialog_cuts_a_text(hand: Hand, looks: None, sizes: Callable[[float],
 
 def shown_area() -> Any:
     """Return the area in which FreeCAD shows a task that has no OK of ours."""
-    names = ("CNCStepper_Simulation_panel", "CNCStepper_Restart_panel")
+    names = ("CNCStepper_Simulation_panel", "CNCStepper_Restart_panel", f"{PANEL}Shapes", f"{PANEL}Template")
     return places.area_around(next(each for each in places.all_widgets() if each.objectName() in names))
 
 
@@ -251,6 +302,20 @@ def test_simulation_and_restart_cut_no_text(
     hand.main(restart.open_restart, job, no_restart)
     hand.wait(lambda: places.find("CNCStepper_Restart_places").rows, 60, "the places")
     found += cut_at_sizes(hand, "restart", sizes, lambda: places.cut_texts(shown_area()))
+    hand.main(FreeCADGui.Control.closeDialog)
+    assert not found, "\n".join(found)
+
+
+def test_gallery_and_template_cut_no_text(hand: Hand, looks: None, sizes: Callable[[float], None]) -> None:
+    document = hand.main(FreeCAD.newDocument, "Shop")
+    hand.main(open_gallery, print)
+    hand.settle()
+    found = cut_at_sizes(hand, "gallery", sizes, lambda: places.cut_texts(shown_area()))
+    hand.main(FreeCADGui.Control.closeDialog)
+    drawing = hand.main(api.import_drawing, document, SIGN)
+    hand.main(open_template_panel, drawing)
+    hand.wait(lambda: places.find(f"{PANEL}rules").topLevelItemCount(), 60, "the rules")
+    found += cut_at_sizes(hand, "template", sizes, lambda: cut_beside_buttons(shown_area()))
     hand.main(FreeCADGui.Control.closeDialog)
     assert not found, "\n".join(found)
 
