@@ -310,7 +310,7 @@ def test_gallery_and_template_cut_no_text(hand: Hand, looks: None, sizes: Callab
     document = hand.main(FreeCAD.newDocument, "Shop")
     hand.main(open_gallery, print)
     hand.settle()
-    found = cut_at_sizes(hand, "gallery", sizes, lambda: places.cut_texts(shown_area()))
+    found = cut_at_sizes(hand, "gallery", sizes, lambda: cut_beside_buttons(shown_area()))
     hand.main(FreeCADGui.Control.closeDialog)
     drawing = hand.main(api.import_drawing, document, SIGN)
     hand.main(open_template_panel, drawing)

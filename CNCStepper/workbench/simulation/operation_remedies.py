@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from CNCStepper.simulation.checks.clamps import Clamp
     from CNCStepper.simulation.finding import Finding
 
-SAME_MM = 0.01
+ROUNDED_MM = 0.01  # between a value and what a finding says of it
 FREE_PIECE = "the contour goes through the stock and sets a piece free that no tab holds"
 ROOM_OF_TAB = 1.5  # of what it takes along the contour, so that entries and corners find a place too
 CLEARANCE_STEP_MM = 1.0
@@ -38,7 +38,7 @@ CLEARANCE_STEP_MM = 1.0
 def flute_length(proven: ProvenJob, finding: Finding) -> Change | None:
     """Return the length of the flutes as depth per pass of the one operation that cuts deeper at once."""
     limit_mm = finding.limit or 0.0
-    tools = [tool for tool in proven.tools if abs(tool.FluteLength.Value - limit_mm) < SAME_MM]
+    tools = [tool for tool in proven.tools if abs(tool.FluteLength.Value - limit_mm) < ROUNDED_MM]
     cut = proven.operations_of(tools[0]) if len(tools) == 1 else []
     if not cut or not all(has(each, "stepdown_mm") and _finish_mm(each) <= limit_mm for each in cut):
         return None
@@ -54,7 +54,7 @@ def below_stock(proven: ProvenJob, finding: Finding) -> Change | None:
     """Return the depth of the stock for the one operation that goes below it, as deep as the finding says."""
     thick_mm = float(proven.job.StockSize[2])
     deep = [each for each in proven.operations if _bottom_mm(each) > thick_mm]
-    if len(deep) != 1 or abs(_bottom_mm(deep[0]) + (finding.value or 0.0)) > SAME_MM:
+    if len(deep) != 1 or abs(_bottom_mm(deep[0]) + (finding.value or 0.0)) > ROUNDED_MM:
         return None
     through_mm = _bottom_mm(deep[0]) - value(deep[0], "depth_mm")
     depth_mm = round(thick_mm - through_mm, 3)
@@ -120,7 +120,7 @@ def clamp(proven: ProvenJob, finding: Finding) -> Change | None:
     """Return a clearance above all clamps, where nothing but ways at the present clearance meets one."""
     clearance_mm, clamps = float(proven.job.Clearance), proven.model.clamps
     tools = [(tool.Diameter.Value, tool.HolderDiameter.Value) for tool in proven.tools]
-    reach_mm = max(max(pair) for pair in tools) / 2 + SAME_MM
+    reach_mm = max(max(pair) for pair in tools) / 2 + ROUNDED_MM
     top_mm = max(each.top_mm for each in clamps)
     if top_mm < clearance_mm or not all(_met_in_transit(proven, each, reach_mm, clearance_mm) for each in clamps):
         return None
@@ -137,7 +137,7 @@ def _met_in_transit(proven: ProvenJob, clamp: Clamp, reach_mm: float, clearance_
     moves = proven.result.moves
     known = np.isfinite(moves.begin).all(axis=1) & np.isfinite(moves.end).all(axis=1)
     low_mm = np.minimum(moves.begin[:, 2], moves.end[:, 2])
-    below = known & (low_mm < clearance_mm - SAME_MM)
+    below = known & (low_mm < clearance_mm - ROUNDED_MM)
     ways = shapely.linestrings(np.stack([moves.begin[below, :2], moves.end[below, :2]], axis=1))
     bows_mm = np.hypot(*(moves.begin - moves.centre)[below, :2].T)
     reaches_mm = reach_mm + np.where(moves.kind[below] > 1, 2 * np.nan_to_num(bows_mm), 0.0)

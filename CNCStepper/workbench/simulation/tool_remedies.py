@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from CNCStepper.tolerances import SAME_SHARE
 from CNCStepper.toolpath import LINE, RAPID, XY
 from CNCStepper.workbench.document.default_values import FEEDS
 from CNCStepper.workbench.services.translation import tr
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from CNCStepper.simulation.tip_track import TipTrack
 
 ROUNDED_RPM = 0.5  # between the speed of a tool and the S of its program
-SAME = 1e-6  # as a share, of two numbers that are one
 SPEED_STEP_RPM = 10.0
 
 
@@ -41,7 +41,7 @@ def spindle_speed(proven: ProvenJob, finding: Finding) -> Change | None:
 def feed_above_rate(proven: ProvenJob, finding: Finding) -> Change | None:
     """Return the rate of the axis for the only feed that is above it."""
     limit = _number(finding.limit)
-    faster = [each for each in _feeds(proven) if each[2] > limit * (1 + SAME)]
+    faster = [each for each in _feeds(proven) if each[2] > limit * (1 + SAME_SHARE)]
     if len(faster) > 1:
         faster = _vertical(proven, faster, finding)
     if len(faster) != 1 or not value(*faster[0][:2]):
@@ -66,10 +66,11 @@ def _vertical(
 ) -> list[tuple[Any, str, float]]:
     """Return the plunge feed that the finding means, where no other feed can be too fast for Z on a slope."""
     speed, limit = _number(finding.value), _number(finding.limit)
-    plunges = [each for each in faster if each[1] == "plunge_mm_min" and math.isclose(each[2], speed, rel_tol=SAME)]
+    same = [each for each in faster if math.isclose(each[2], speed, rel_tol=SAME_SHARE)]
+    plunges = [each for each in same if each[1] == "plunge_mm_min"]
     others = [feed for obj, key, feed in faster if (obj, key, feed) not in plunges]
     steep = steepest(proven.result.moves)
-    are_flat = all(feed > speed * (1 + SAME) and feed * steep <= limit for feed in others)
+    are_flat = all(feed > speed * (1 + SAME_SHARE) and feed * steep <= limit for feed in others)
     return plunges if are_flat else []
 
 
@@ -82,8 +83,8 @@ def steepest(moves: TipTrack) -> float:
         return 1.0
     flat = np.hypot(way[:, 0], way[:, 1])
     round_mm = 2 * np.pi * np.hypot(*(moves.begin - moves.centre)[cuts][:, :2].T)
-    flat = np.where((flat < SAME) & arcs[cuts], round_mm, flat)
-    sideways = flat >= SAME
+    flat = np.where((flat < SAME_SHARE) & arcs[cuts], round_mm, flat)
+    sideways = flat >= SAME_SHARE
     return float((np.abs(way[sideways, 2]) / np.hypot(flat, way[:, 2])[sideways]).max(initial=0.0))
 
 
@@ -96,7 +97,8 @@ def chip_load(proven: ProvenJob, finding: Finding) -> Change | None:
         return None
     tool = tools[0]
     teeth = float(tool.SpindleUsed) * tool.Flutes
-    feed = float(math.floor(limit_mm * teeth + SAME)) if is_thick else float(math.ceil(limit_mm * teeth - SAME))
+    exact = limit_mm * teeth
+    feed = float(math.floor(exact + SAME_SHARE) if is_thick else math.ceil(exact - SAME_SHARE))
     fits = _slow_enough if is_thick else _fast_enough
     if not (tool.Feed and feed > 0 and fits(proven, tool, feed) and _chips_fit(tool, feed / teeth)):
         return None
