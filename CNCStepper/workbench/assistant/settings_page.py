@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from CNCStepper.control.settings.controller_identity import identity_of
 from CNCStepper.control.settings.settings_comparison import ComparedSetting, compare_settings
@@ -103,18 +103,14 @@ class SettingsPage(Page):
             texts = (f"${one.number}", DIFFERS if one.differs else "", translated(one.name.name), one.name.unit,
                      _value(one.left), _value(one.right))  # fmt: skip
             for column, text in enumerate(texts):
-                self._show_cell(line, column, text, one.differs)
+                item = QtGui.QTableWidgetItem(text)
+                if one.differs:
+                    item.setBackground(QtGui.QBrush(MARK))
+                self.table.setItem(line, column, item)
         self.table.resizeColumnsToContents()
         count = sum(one.differs for one in self._rows)
         none = tr("No controller with settings has answered.")
         self.said.setText(tr("{0} settings differ.").format(count) if found and found.settings else none)
-
-    def _show_cell(self, line: int, column: int, text: str, differs: bool) -> None:
-        """Let Qt make the cell: one that is made in Python crashed PySide 6.11 when the assistant went."""
-        model = self.table.model()
-        cell = model.index(line, column)
-        model.setData(cell, text)
-        model.setData(cell, QtGui.QBrush(MARK) if differs else None, QtCore.Qt.ItemDataRole.BackgroundRole)
 
     def _chosen(self) -> None:
         if self.other.currentData() == BACKUP:
